@@ -459,6 +459,8 @@ def test_the_ruler_counts_as_it_is_told(timeline: Timeline) -> None:
 
 def test_frames_that_are_decoded_are_marked_ready(timeline: Timeline, keyed: OpenProject) -> None:
     def green(frame: int) -> bool:
+        # Nobody tells what is decoded; the window looks now and then.
+        timeline.ruler.refresh()
         image = timeline.ruler.grab().toImage()
         y = image.height() - 9
         color = image.pixelColor(round(timeline.scale.middle_of(frame)) + 6, y)

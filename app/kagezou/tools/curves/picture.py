@@ -102,11 +102,48 @@ Fittings = Mapping[tuple[Address, int], Fitting]
 NO_FITTINGS: Final[Fittings] = MappingProxyType({})
 
 
-def pictures_of(document: Document, shown: ShownCurves, chosen: Refs, held: Fittings = NO_FITTINGS) -> Pictures:
-    """Return what is to be drawn now; a drag holds the fittings it began with, so that the curve follows the hand."""
-    return tuple(
-        _picture(document, curve, shown, chosen, held.get((curve.address, curve.component))) for curve in shown.curves
-    )
+def pictures_of(
+    document: Document, shown: ShownCurves, chosen: Refs, held: Fittings = NO_FITTINGS, before: Pictures = ()
+) -> Pictures:
+    """Return what is to be drawn now; a drag holds the fittings it began with, so that the curve follows the hand.
+
+    Parameters
+    ----------
+    before
+        What was drawn in the same way before: curves in which nothing changed are the very same again.
+    """
+    known = {(*_names(each.curve.address), each.curve.component): each for each in before}
+    chosen_of: dict[_Names, set[float]] = {}
+    for ref in chosen:
+        chosen_of.setdefault(_names(ref.address), set()).add(ref.frame)
+    made = []
+    for curve in shown.curves:
+        names = _names(curve.address)
+        old = known.get((*names, curve.component))
+        fitting = held.get((curve.address, curve.component)) if held else None
+        is_same = old is not None and old.curve == curve
+        if (
+            old is None
+            or not is_same
+            or not _holds(old, track_of(document, curve.address), chosen_of.get(names), fitting)
+        ):
+            old = _picture(document, curve, shown, chosen, fitting)
+        made.append(old)
+    return tuple(made)
+
+
+_Names = tuple[str, str | None, str | None]
+
+
+def _names(address: Address) -> _Names:
+    """Return what an address is known by: a property as a whole takes long to hash."""
+    return address.property.name, address.layer_id, address.piece_id
+
+
+def _holds(picture: CurvePicture, track: Track, chosen: set[float] | None, fitting: Fitting | None) -> bool:
+    """Whether a curve would be drawn the same again."""
+    marked = {mark.frame for mark in picture.keys if mark.is_chosen}
+    return picture.track is track and marked == (chosen or set()) and fitting in (None, picture.fitting)
 
 
 def differing_frames(document: Document, other: Document, curve: Curve) -> tuple[int, ...]:

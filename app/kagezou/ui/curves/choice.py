@@ -23,6 +23,9 @@ class Choice(QObject):
         super().__init__()
         self._bridge = bridge
         self._hidden: frozenset[tuple[str, str | None, str | None, int]] = frozenset()
+        self._listed_of: Document | None = None
+        self._listed_for: tuple[object, ...] = ()
+        self._listed: tuple[Curve, ...] = ()
         self.kind = GraphKind.VALUE
         self.normalises = False
         self.isolates = False
@@ -40,7 +43,12 @@ class Choice(QObject):
     def all(self) -> tuple[Curve, ...]:
         """Every curve there is."""
         bridge = self._bridge
-        return curves_of(bridge.document, bridge.layer_id, bridge.piece_id, bridge.layer_ids[1:])
+        asked = (bridge.layer_id, bridge.piece_id, bridge.layer_ids[1:])
+        # Asked several times for each document.
+        if self._listed_of is not bridge.document or self._listed_for != asked:
+            self._listed_of, self._listed_for = bridge.document, asked
+            self._listed = curves_of(bridge.document, *asked)
+        return self._listed
 
     @property
     def shown(self) -> tuple[Curve, ...]:

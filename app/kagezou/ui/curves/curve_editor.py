@@ -82,11 +82,16 @@ class CurveEditor(QWidget):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show everything as it is; behind another panel nothing is drawn until it comes to the front."""
+        """Show everything as it is; behind another panel nothing, and of a drag in the graph alone."""
+        if self.isVisible():
+            self.graph.refresh()
+        if not self._bridge.session.is_in_gesture:
+            self._refresh_lists()
+
+    def _refresh_lists(self) -> None:
         if not self.isVisible():
             return
         self.tree.refresh()
-        self.graph.refresh()
         self.table.refresh()
         self.notes.refresh()
         self.flags.refresh()
@@ -148,6 +153,7 @@ class CurveEditor(QWidget):
         bridge, choice = self._bridge, self.choice
         for signal in (choice.changed, bridge.document_changed, bridge.keys_changed, bridge.selection_changed):
             signal.connect(self.refresh)
+        bridge.settled.connect(self._refresh_lists)
         bridge.frame_changed.connect(self.graph.move_playhead)
         bridge.session_replaced.connect(self.graph.fit_all)
         self.graph.controller.read.connect(self._show_readout)

@@ -1,5 +1,7 @@
 """The graph: curves and the playhead, drawn by pyqtgraph, and the places on it that the hand touches."""
 
+from functools import partial
+
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
@@ -19,6 +21,7 @@ from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.shown_units import common_factor
 from kagezou.ui.system.theme import BRIGHT, DIM, WELL
 from kagezou.ui.system.window_keys import lies_on_command
+from kagezou.ui.widgets.once_a_paint import OnceAPaint
 
 
 class Graph(pg.PlotWidget):
@@ -41,7 +44,7 @@ class Graph(pg.PlotWidget):
         self.controller = GraphController(bridge, choice, lambda: self.model)
         self.controller.shown.connect(self._show_hand)
         self.controller.drag_ended.connect(self.refresh)
-        self._items = CurveItems(self.getPlotItem())
+        self.drawn = CurveItems(self.getPlotItem())
         self._playhead = pg.InfiniteLine(angle=90, movable=False, pen=pg.mkPen(BRIGHT, width=1))
         self._box = pg.QtWidgets.QGraphicsRectItem()
         self._key_box = BoxItems(self.getPlotItem())
@@ -49,6 +52,8 @@ class Graph(pg.PlotWidget):
         self._said.setObjectName("graph_words")
         self._said.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._said.hide()
+        self._moves = OnceAPaint(self)
+        self._made_of: tuple[object, ...] = ()
         self._make_stage()
         self.view.sigRangeChanged.connect(self._draw_key_box)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -82,8 +87,13 @@ class Graph(pg.PlotWidget):
         state = self._bridge.session.state
         held = {(each.curve.address, each.curve.component): each.fitting for each in self.pictures}
         shown = self._choice.now
-        self.pictures = pictures_of(state.document, shown, state.keys, held if self.controller.is_busy else {})
-        self._items.draw(state.document, shown.ghost, self.pictures)
+        # Of what is drawn in another way nothing can be used again.
+        is_held = shown.normalises and self.controller.is_busy
+        made_of = (shown.kind, shown.normalises, is_held, shown.ghost, state.document.canvas.length_frames)
+        before = self.pictures if made_of == self._made_of else ()
+        self._made_of = made_of
+        self.pictures = pictures_of(state.document, shown, state.keys, held if self.controller.is_busy else {}, before)
+        self.drawn.draw(state.document, shown.ghost, self.pictures)
         self._draw_key_box()
         self.getAxis("left").setScale(common_factor(each.curve.address.property for each in self.pictures))
         self.move_playhead()
@@ -117,12 +127,13 @@ class Graph(pg.PlotWidget):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.controller.is_down:
-            self.controller.move(self._pointer(event))
+            self._moves.take(event, partial(self.controller.move, self._pointer(event)))
         else:
             super().mouseMoveEvent(event)
             self.setCursor(self.controller.hover(self._pointer(event)))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._moves.finish()
         if event.button() is Qt.MouseButton.LeftButton and self.controller.is_down:
             self.controller.release(self._pointer(event), event.modifiers())
         else:

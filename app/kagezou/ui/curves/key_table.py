@@ -38,6 +38,7 @@ class KeyTable(QTableWidget):
         ])  # fmt: skip
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        self.horizontalHeader().setResizeContentsPrecision(0)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setAlternatingRowColors(True)
         self.setAccessibleName(self.tr("Keys"))
@@ -62,11 +63,15 @@ class KeyTable(QTableWidget):
         if rows == self._rows:
             return
         self._rows = rows
+        header, modes = self.horizontalHeader(), QHeaderView.ResizeMode
         with QSignalBlocker(self):
+            # Columns would be measured anew with every cell.
+            header.setSectionResizeMode(modes.Fixed)
             self.setRowCount(len(rows))
             for number, row in enumerate(rows):
                 for column, text in enumerate(self._shown(row, address)):
                     self.setItem(number, column, _cell(text, fixed=column in _FIXED_COLUMNS))
+            header.setSectionResizeMode(modes.ResizeToContents)
 
     def event(self, event: QEvent) -> bool:
         # The window has commands on these keys too; here they are about the table's rows.

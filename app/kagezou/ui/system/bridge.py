@@ -42,7 +42,7 @@ class Bridge(QObject):
         self._looked_at: Document | None = None
         self._soloed = (session.document, soloed(session.document))
         self._settled = session.document
-        self._is_passing = self._has_passed = False
+        self._is_passing = self._is_scrubbed = self._has_passed = False
         self._listen(session)
 
     @property
@@ -87,9 +87,14 @@ class Bridge(QObject):
         """Whether frames pass: the cut plays, or time is scrubbed."""
         return self._is_passing
 
-    def let_pass(self, *, on: bool) -> None:
+    @property
+    def is_scrubbed(self) -> bool:
+        """Whether a hand lets frames pass."""
+        return self._is_scrubbed
+
+    def let_pass(self, *, on: bool, by_hand: bool = False) -> None:
         """Let frames pass, so that only what shows the frame itself follows; or let all else follow now."""
-        self._is_passing = on
+        self._is_passing, self._is_scrubbed = on, on and by_hand
         if not on and self._has_passed:
             self._has_passed = False
             self.frame_settled.emit()

@@ -1,6 +1,8 @@
 """The lanes: drawings as bars and keys as shapes, row by row over time."""
 
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt
+from functools import partial
+
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
@@ -19,6 +21,8 @@ from kagezou.ui.timeline.key_shapes import half_path, halves_of
 from kagezou.ui.timeline.row_list import RowList
 from kagezou.ui.timeline.rows import RowKind, TimelineRow, frames_of, keys_on
 from kagezou.ui.timeline.time_scale import TimeScale
+from kagezou.ui.widgets.once_a_paint import OnceAPaint
+from kagezou.ui.widgets.still_picture import StillPicture
 
 KEY_RADIUS_PX = 6.5
 _SUM_RADIUS_PX = 5.0
@@ -40,16 +44,20 @@ class Lanes(QWidget):
         self._rows = rows
         self.controller = KeyController(bridge, scale, rows)
         self.drawings = DrawingController(bridge, scale, rows)
-        for changed in (self.controller.changed, self.drawings.changed, self.drawings.choice.changed):
+        for changed in (self.controller.changed, self.drawings.changed):
             changed.connect(self.update)
+        self.still = StillPicture(self, self._paint_still)
+        self._moves = OnceAPaint(self)
+        self._frame_painted = bridge.frame
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # Single letters are commands here, which an input method would swallow.
         self.setAttribute(Qt.WidgetAttribute.WA_InputMethodEnabled, on=False)
         self.setAccessibleName(self.tr("Keys and drawings over time"))
-        for signal in (scale.changed, rows.changed, bridge.frame_changed, bridge.keys_changed):
-            signal.connect(self.update)
-        bridge.selection_changed.connect(self.update)
+        for signal in (scale.changed, rows.changed, bridge.keys_changed, self.drawings.choice.changed):
+            signal.connect(self.still.forget)
+        bridge.selection_changed.connect(self.still.forget)
+        bridge.frame_changed.connect(self._move_playhead)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._scale.set_width(event.size().width())
@@ -61,6 +69,9 @@ class Lanes(QWidget):
             self.controller.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._moves.take(event, partial(self._move, event.clone()))
+
+    def _move(self, event: QMouseEvent) -> None:
         if self.drawings.is_down:
             self.drawings.move(event)
             return
@@ -73,6 +84,7 @@ class Lanes(QWidget):
         self.setCursor(self.controller.cursor if on_bar is None else on_bar)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._moves.finish()
         if self.drawings.is_down:
             self.drawings.release(event)
         else:
@@ -101,33 +113,26 @@ class Lanes(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.fillRect(self.rect(), WELL)
-        self._paint_grid(painter)
+        self.still.paint(painter, event.rect())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self._paint_outside(painter)
-        for index in self._rows.seen():
-            self._paint_row(painter, self._rows.rows[index], self._rows.top_of(index))
         self._paint_playhead(painter)
         self._paint_hand(painter)
         painter.end()
 
-    def _paint_grid(self, painter: QPainter) -> None:
-        rate = frames_per_second(self._bridge.document.canvas.frame_rate)
-        cell = self._scale.cell_px
-        # A heavier line each second, a fainter one each quarter of it, the faintest each frame.
-        for step, color, least_px in (
-            (1, "#262626", 7.0),
-            (max(rate // 4, 1), "#2d2d2d", 14.0),
-            (rate, "#3d3d3d", 5.0),
-        ):
-            if step * cell < least_px:
-                continue
-            painter.setPen(QPen(QColor(color), 1))
-            first = max(int((self._scale.position_at(0) - 1) // step), 0) * step + 1
-            last = min(self._scale.position_at(self.width()), self._scale.length + 1)
-            for frame in range(first, int(last) + 1, step):
-                x = round(self._scale.x_of(frame)) + 0.5
-                painter.drawLine(QLineF(x, 0, x, self.height()))
+    def _move_playhead(self, frame: int) -> None:
+        """Paint anew where the playhead was and where it is."""
+        for each in (self._frame_painted, frame):
+            left, width = self._scale.x_of(each), max(self._scale.cell_px, 1.0)
+            self.update(QRectF(left - 2, 0, width + 4, self.height()).toAlignedRect())
+        self._frame_painted = frame
+
+    def _paint_still(self, painter: QPainter) -> None:
+        painter.fillRect(self.rect(), WELL)
+        _paint_grid(painter, self._scale, frames_per_second(self._bridge.document.canvas.frame_rate), self.size())
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_outside(painter)
+        for index in self._rows.seen():
+            self._paint_row(painter, self._rows.rows[index], self._rows.top_of(index))
 
     def _paint_row(self, painter: QPainter, row: TimelineRow, top: int) -> None:
         height = self._rows.row_px
@@ -168,7 +173,7 @@ class Lanes(QWidget):
             painter.setBrush(SELECTED if is_chosen else TEXT)
             painter.translate(x, y)
             painter.drawPolygon([QPointF(0, -radius), QPointF(radius, 0), QPointF(0, radius), QPointF(-radius, 0)])
-            painter.resetTransform()
+            painter.translate(-x, -y)
 
     def _paint_keys(self, painter: QPainter, row: TimelineRow, y: float) -> None:
         address = row.addresses[0]
@@ -191,7 +196,7 @@ class Lanes(QWidget):
                 color = SELECTED if is_chosen else _ABSENT if half is None else TEXT
                 painter.setBrush(color)
                 painter.drawPath(half_path(half, is_left=is_left, radius=radius))
-            painter.resetTransform()
+            painter.translate(-x, -y)
 
     def _paint_outside(self, painter: QPainter) -> None:
         first, last = self._bridge.document.played
@@ -239,3 +244,22 @@ def _paint_words(painter: QPainter, words: str, beside: QPointF, width_px: int) 
     painter.drawRoundedRect(pill, 4, 4)
     painter.setPen(BRIGHT)
     painter.drawText(pill, Qt.AlignmentFlag.AlignCenter, words)
+
+
+def _paint_grid(painter: QPainter, scale: TimeScale, rate: int, size: QSize) -> None:
+    """Paint a line each second, quarter of a second and frame, as far as they can be told apart."""
+    cell = scale.cell_px
+    # A heavier line each second, a fainter one each quarter of it, the faintest each frame.
+    for step, color, least_px in (
+        (1, "#262626", 7.0),
+        (max(rate // 4, 1), "#2d2d2d", 14.0),
+        (rate, "#3d3d3d", 5.0),
+    ):
+        if step * cell < least_px:
+            continue
+        painter.setPen(QPen(QColor(color), 1))
+        first = max(int((scale.position_at(0) - 1) // step), 0) * step + 1
+        last = min(scale.position_at(size.width()), scale.length + 1)
+        for frame in range(first, int(last) + 1, step):
+            x = round(scale.x_of(frame)) + 0.5
+            painter.drawLine(QLineF(x, 0, x, size.height()))

@@ -1,10 +1,11 @@
 """The ruler over the lanes: frames, work area, markers, what is ready to be seen, and the playhead to drag."""
 
 from collections.abc import Callable, Set
+from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from kagezou.animation.timecode import Count, sheet_text
@@ -21,20 +22,21 @@ from kagezou.ui.system.theme import BRIGHT, LINE, OFF, WELL
 from kagezou.ui.timeline.row_list import is_same
 from kagezou.ui.timeline.ruler_painting import (
     STRIP_PX,
+    Ready,
     flag_of,
     note_mark,
     paint_area,
     paint_marker,
     paint_note,
     paint_playhead,
+    paint_ready,
     paint_ticks,
 )
 from kagezou.ui.timeline.time_scale import TimeScale
+from kagezou.ui.widgets.once_a_paint import OnceAPaint
+from kagezou.ui.widgets.still_picture import StillPicture
 
-_READY_PX: Final = 2.5
 _END_REACH_PX: Final = 7.0
-_READY, _FINISHED = QColor("#2f6b4c"), QColor("#5fd39a")
-_FINISHED_PX: Final = 4.0
 
 Kept = Callable[[], Set[PictureSource]]
 """The pictures that are decoded."""
@@ -73,8 +75,11 @@ class Ruler(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName(self.tr("Frame ruler"))
         self._seen = _seen_of(bridge.document)
-        for signal in (scale.changed, bridge.frame_changed):
-            signal.connect(self.update)
+        self.still = StillPicture(self, self._paint_still)
+        self._moves = OnceAPaint(self)
+        self._frame_painted = bridge.frame
+        scale.changed.connect(self.still.forget)
+        bridge.frame_changed.connect(self._move_playhead)
         bridge.document_changed.connect(self._show_document)
 
     def sizeHint(self) -> QSize:
@@ -83,7 +88,11 @@ class Ruler(QWidget):
     def show_count(self, count: Count) -> None:
         """Count frames in another way."""
         self.count = count
-        self.update()
+        self.still.forget()
+
+    def refresh(self) -> None:
+        """Show which pictures are decoded and which frames are kept now."""
+        self.still.forget()
 
     def marker_at(self, place: QPointF) -> Marker | None:
         """Return the marker whose flag lies at a point."""
@@ -141,9 +150,13 @@ class Ruler(QWidget):
         if isinstance(self._held, int):
             self._bridge.session.go_to(self._held)
         elif self._held is None:
+            self._bridge.let_pass(on=True, by_hand=True)
             self._scrub(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._moves.take(event, partial(self._move, event.clone()))
+
+    def _move(self, event: QMouseEvent) -> None:
         place = event.position()
         frame = self._scale.frame_at(place.x())
         marker = self.marker_at(place)
@@ -161,6 +174,9 @@ class Ruler(QWidget):
             self._drag(self._held, frame)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._moves.finish()
+        if self._bridge.is_scrubbed:
+            self._bridge.let_pass(on=False)
         if self._gesture is not None and event.button() is Qt.MouseButton.LeftButton:
             self._gesture.commit()
         self._gesture = self._held = None
@@ -177,7 +193,7 @@ class Ruler(QWidget):
         seen = _seen_of(self._bridge.document)
         if not is_same(seen, self._seen):
             self._seen = seen
-            self.update()
+            self.still.forget()
 
     def _scrub(self, event: QMouseEvent) -> None:
         frame = self._scale.frame_at(event.position().x())
@@ -200,44 +216,34 @@ class Ruler(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
+        self.still.paint(painter, event.rect())
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        left, width = self._scale.x_of(self._bridge.frame), max(self._scale.cell_px, 2.0)
+        paint_playhead(painter, left, width, self.height(), BRIGHT if self.isEnabled() else OFF)
+        painter.end()
+
+    def _move_playhead(self, frame: int) -> None:
+        """Paint anew where the playhead was and where it is."""
+        for each in (self._frame_painted, frame):
+            left, width = self._scale.x_of(each), max(self._scale.cell_px, 2.0)
+            self.update(QRectF(left - 12, 0, width + 24, self.height()).toAlignedRect())
+        self._frame_painted = frame
+
+    def _paint_still(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), WELL)
         document, scale = self._bridge.document, self._scale
         paint_area(painter, scale, document, self.height())
         paint_ticks(painter, scale, self.size(), document.canvas, self.count)
-        self._paint_ready(painter)
+        if document.layers:
+            ready = Ready(self._kept(), self._finished())
+            paint_ready(painter, scale, document.layers, ready, self.size())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for marker in document.markers:
             paint_marker(painter, scale, marker, self.height())
-        self._paint_notes(painter)
-        left, width = scale.x_of(self._bridge.frame), max(scale.cell_px, 2.0)
-        paint_playhead(painter, left, width, self.height(), BRIGHT if self.isEnabled() else OFF)
+        for frame, is_done in _marked(document).items():
+            paint_note(painter, note_mark(frame, scale, self.height()), is_done=is_done)
         painter.setPen(QPen(LINE, 1))
         painter.drawLine(0, self.height() - 1, self.width(), self.height() - 1)
-        painter.end()
-
-    def _paint_notes(self, painter: QPainter) -> None:
-        are_done: dict[int, bool] = {}
-        for note in self._bridge.document.notes:
-            are_done[note.frame] = note.is_done and are_done.get(note.frame, True)
-        for frame, is_done in are_done.items():
-            paint_note(painter, note_mark(frame, self._scale, self.height()), is_done=is_done)
-
-    def _paint_ready(self, painter: QPainter) -> None:
-        bottom = self.height() - STRIP_PX - 1
-        kept, finished, layers = self._kept(), self._finished(), self._bridge.document.layers
-        if not layers:
-            return
-        for frame in range(self._scale.frame_at(0), self._scale.frame_at(self.width()) + 1):
-            needed = (layer.cels.drawing_at(frame) for layer in layers)
-            # The higher bar reads without its colour.
-            if frame in finished:
-                high, color = _FINISHED_PX, _FINISHED
-            elif all(drawing is None or drawing.source in kept for drawing in needed):
-                high, color = _READY_PX, _READY
-            else:
-                continue
-            left, right = self._scale.x_of(frame), self._scale.x_of(frame + 1)
-            painter.fillRect(QRectF(left, bottom - high, right - left, high), QBrush(color))
 
 
 def _seen_of(document: Document) -> tuple[object, ...]:
@@ -249,3 +255,11 @@ def _seen_of(document: Document) -> tuple[object, ...]:
         document.notes,
         *(layer.cels for layer in document.layers),
     )
+
+
+def _marked(document: Document) -> dict[int, bool]:
+    """Return the frames with notes, and whether all of them are ticked off."""
+    are_done: dict[int, bool] = {}
+    for note in document.notes:
+        are_done[note.frame] = note.is_done and are_done.get(note.frame, True)
+    return are_done

@@ -1,12 +1,15 @@
 """How time looks on the ruler: ticks and labels, the work area, markers with their flags, and the playhead."""
 
+from collections.abc import Sequence, Set
+from dataclasses import dataclass
 from typing import Final
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QPolygonF
 
 from kagezou.animation.timecode import Count, counted, frames_per_second
-from kagezou.document.model import Canvas, Document, Marker
+from kagezou.document.model import Canvas, Document, Layer, Marker
+from kagezou.picture_source import PictureSource
 from kagezou.ui.system.theme import BRIGHT, CHANGED, DIM, TEXT, WARNING
 from kagezou.ui.timeline.time_scale import TimeScale
 
@@ -15,8 +18,34 @@ STRIP_PX: Final = 7
 _STEPS: Final = (1, 2, 4, 6, 12, 24, 48, 72, 144, 240, 480, 720, 1440, 2880, 7200, 14400)
 _MIN_LABEL_PX: Final = 40
 _MIN_TICK_PX: Final = 4
+_READY_PX, _FINISHED_PX = 2.5, 4.0
+_READY, _FINISHED = QColor("#2f6b4c"), QColor("#5fd39a")
 _AREA = QColor("#9a7a35")
 _AREA_END = QColor("#e0b04c")
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """What can be seen at once: the pictures that are decoded, and the frames that are kept as they are seen."""
+
+    kept: Set[PictureSource]
+    finished: Set[int]
+
+
+def paint_ready(painter: QPainter, scale: TimeScale, layers: Sequence[Layer], ready: Ready, size: QSize) -> None:
+    """Paint a bar under frames that are decoded, and a higher one under those that are kept as they are seen."""
+    bottom = size.height() - STRIP_PX - 1
+    for frame in range(scale.frame_at(0), scale.frame_at(size.width()) + 1):
+        needed = (layer.cels.drawing_at(frame) for layer in layers)
+        # The higher bar reads without its colour.
+        if frame in ready.finished:
+            high, color = _FINISHED_PX, _FINISHED
+        elif all(drawing is None or drawing.source in ready.kept for drawing in needed):
+            high, color = _READY_PX, _READY
+        else:
+            continue
+        left, right = scale.x_of(frame), scale.x_of(frame + 1)
+        painter.fillRect(QRectF(left, bottom - high, right - left, high), color)
 
 
 def paint_area(painter: QPainter, scale: TimeScale, document: Document, height_px: int) -> None:

@@ -73,7 +73,7 @@ class Timeline(QWidget):
         # What is decoded changes in other threads, and nobody tells.
         self._ready = QTimer(self)
         self._ready.setInterval(_READY_EVERY_MS)
-        self._ready.timeout.connect(self.ruler.update)
+        self._ready.timeout.connect(self.ruler.refresh)
         self._ready.start()
         self._show_document()
 

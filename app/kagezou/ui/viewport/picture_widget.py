@@ -20,6 +20,7 @@ from kagezou.render.prepare.backdrop import Backdrop
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
 from kagezou.ui.viewport.faces import made_face
+from kagezou.ui.viewport.following import Following
 from kagezou.ui.viewport.frame_painter import Broken, FramePainter
 from kagezou.ui.viewport.picture_view import PictureView
 from kagezou.ui.viewport.reading import Reading
@@ -49,13 +50,10 @@ class PictureWidget(QWidget):
     """OpenGL itself does not serve; connect queued, it may be sent while painting."""
     broken_changed = Signal(object)
     """The picture files that cannot be shown now, a tuple of Broken; connect queued."""
-
     divisor_changed = Signal(int)
     """How many px of the canvas are one of the picture, from now on; connect queued."""
-
     shown = Signal()
     """A picture is on screen; not always another one."""
-
     started = Signal(str, bool)
     """What draws, by name, and whether it is the processor; connect queued."""
 
@@ -76,9 +74,11 @@ class PictureWidget(QWidget):
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
         self._rest.timeout.connect(self._refine)
+        self.following = Following(bridge, lambda: self._showing.took_s)
+        self.following.due.connect(self._face.update)
+        self.following.scrubbed.connect(self._rest.start)
         bridge.document_changed.connect(self._document_changed)
         bridge.shown_changed.connect(self._face.update)
-        bridge.frame_changed.connect(self._face.update)
         bridge.session_replaced.connect(viewpoint.fit)
         bridge.session_replaced.connect(self.pace.forget)
         viewpoint.changed.connect(self._face.update)

@@ -36,6 +36,7 @@ class Showing:
         self.backdrop, self.view = Backdrop.BACKGROUND, PictureView.COMPOSITE
         self.image: QImage | None = None
         self.is_current = False
+        self.took_s = 0.0
 
     def draw_into(self, frame_painter: FramePainter, view: WindowView, *, moving: bool) -> None:
         """Draw the frame if need be, and place it in the framebuffer of a view."""
@@ -50,7 +51,7 @@ class Showing:
         look = (document, self.backdrop, self.view, view, resting)
         kept = self.finished.picture(look, frame)
         if kept is not None:
-            self.image, self._image_of, self.is_current = kept, (), True
+            self.image, self._image_of, self.is_current, self.took_s = kept, (), True, 0.0
             return
         is_new = self.draw(frame_painter, moving=moving)
         made_of = (view, frame_painter.divisor, frame_painter.pictures_drawn)
@@ -59,8 +60,9 @@ class Showing:
         pixels = frame_painter.present(view)
         assert pixels is not None
         self.image, self._image_of = _image_of(pixels, self._viewpoint.device_ratio), made_of
+        self.took_s = perf_counter() - began_s
         if is_new:
-            self.pace.took(frame_painter.divisor, perf_counter() - began_s)
+            self.pace.took(frame_painter.divisor, self.took_s)
         # What is dragged is never seen again, and a file that cannot be read may be mended.
         is_done = self.is_current and not frame_painter.broken and not self._bridge.session.is_in_gesture
         if is_done and frame_painter.divisor == usable_divisor(document.canvas, resting):

@@ -1,5 +1,7 @@
 """The viewport: the picture, the handles over it, and the events that reach them."""
 
+from functools import partial
+
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QResizeEvent, QTabletEvent, QWheelEvent
 from PySide6.QtWidgets import QMenu
@@ -17,6 +19,7 @@ from kagezou.ui.viewport.pen import PenTaps
 from kagezou.ui.viewport.picture_widget import PictureWidget
 from kagezou.ui.viewport.pointer_report import Device, PointerReport, report_of
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.once_a_paint import OnceAPaint
 from kagezou.ui.widgets.picking import Picking
 from kagezou.ui.widgets.space_bar import SpaceBar
 
@@ -50,6 +53,7 @@ class Viewport(PictureWidget):
         self._space = space
         self._panned_from: QPointF | None = None
         self._taps = PenTaps()
+        self._moves = OnceAPaint(self)
         self.foot_menu: QMenu | None = None
         self.controller = HandleController(bridge, self.viewpoint)
         self.keys = HandKeys(self, self.controller)
@@ -65,7 +69,7 @@ class Viewport(PictureWidget):
         self.setMinimumSize(160, 120)
         self.setAccessibleName(self.tr("Picture"))
         bridge.document_changed.connect(self.overlay.update)
-        bridge.frame_changed.connect(self.overlay.update)
+        self.following.due.connect(self.overlay.update)
         bridge.selection_changed.connect(self.overlay.update)
         space.changed.connect(self._show_cursor)
 
@@ -92,6 +96,7 @@ class Viewport(PictureWidget):
         return super().event(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._moves.finish()
         report = report_of(event)
         match event.button():
             case Qt.MouseButton.MiddleButton:
@@ -108,6 +113,9 @@ class Viewport(PictureWidget):
         self._show_cursor()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._moves.take(event, partial(self._move, event.clone()))
+
+    def _move(self, event: QMouseEvent) -> None:
         if self._panned_from is not None:
             way = event.position() - self._panned_from
             self._panned_from = event.position()
@@ -121,6 +129,7 @@ class Viewport(PictureWidget):
         self._show_cursor()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._moves.finish()
         if event.button() in (Qt.MouseButton.MiddleButton, Qt.MouseButton.LeftButton):
             self._panned_from = None
         if event.button() is Qt.MouseButton.LeftButton:

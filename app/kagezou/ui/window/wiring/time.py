@@ -36,7 +36,7 @@ def connect_playback(parts: Parts, verbs: WindowVerbs) -> None:
     actions.on("last", lambda: bridge.session.go_to(bridge.document.canvas.length_frames))
     actions.on("go_to_frame", parts.time.transport.ask_frame)
     actions.on("read_ahead", parts.project.read_ahead)
-    parts.project.loading.progressed.connect(parts.time.timeline.ruler.update)
+    parts.project.loading.progressed.connect(parts.time.timeline.ruler.refresh)
     actions.on("play", lambda: _play(parts))
     parts.space.tapped.connect(lambda: _play(parts))
     parts.viewport.keys.step_asked.connect(step)

@@ -1,0 +1,127 @@
+"""Work of hands that are faster than the window: counted, never timed."""
+
+from functools import partial
+
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QTableWidget, QWidget
+from pytestqt.qtbot import QtBot
+
+from kagezou.document.address import Address
+from kagezou.document.edits import set_key
+from kagezou.document.properties import OF_LAYER
+from kagezou.ui.widgets.once_a_paint import OnceAPaint
+from kagezou.ui.window.main_window import MainWindow
+
+
+class ByHand(QMouseEvent):
+    """A move as it comes from the window system."""
+
+    def spontaneous(self) -> bool:
+        return True
+
+
+def moved(x: float, *, by_hand: bool = True) -> QMouseEvent:
+    place, button = QPointF(x, 5), Qt.MouseButton.NoButton
+    kind = ByHand if by_hand else QMouseEvent
+    return kind(QEvent.Type.MouseMove, place, place, button, button, Qt.KeyboardModifier.NoModifier)
+
+
+def _first_value(table: QTableWidget) -> str:
+    item = table.item(0, 2)
+    assert item is not None
+    return item.text()
+
+
+def test_of_moves_that_come_together_the_last_is_done_and_then_painted(qtbot: QtBot) -> None:
+    widget, done = QWidget(), list[int]()
+    qtbot.addWidget(widget)
+    pace = OnceAPaint(widget)
+    for x in (1, 2, 3):
+        pace.take(moved(x), partial(done.append, x))
+    assert done == []
+    qtbot.waitUntil(lambda: done == [3])
+    pace.take(moved(4), partial(done.append, 4))
+    pace.finish()
+    assert done == [3, 4], "whoever lets go must not lose the last move"
+    pace.finish()
+    QApplication.processEvents()
+    assert done == [3, 4]
+
+
+def test_what_a_program_sends_is_done_at_once_and_in_order(qtbot: QtBot) -> None:
+    widget, done = QWidget(), list[int]()
+    qtbot.addWidget(widget)
+    pace = OnceAPaint(widget)
+    pace.take(moved(1), partial(done.append, 1))
+    pace.take(moved(2, by_hand=False), partial(done.append, 2))
+    assert done == [1, 2]
+
+
+def test_the_playhead_moves_without_painting_lanes_or_ruler_anew(walking: MainWindow) -> None:
+    timeline, bridge = walking.parts.time.timeline, walking.parts.bridge
+    still = [timeline.lanes.still, timeline.ruler.still]
+    for widget in (timeline.lanes, timeline.ruler):
+        widget.grab()
+    before = [each.times_painted for each in still]
+    first = timeline.lanes.grab().toImage()
+    for frame in (2, 3, 4):
+        bridge.session.go_to(frame)
+        timeline.lanes.grab()
+        timeline.ruler.grab()
+    assert timeline.lanes.grab().toImage() != first, "the playhead is seen where it is"
+    assert [each.times_painted for each in still] == before
+    bridge.session.go_to(1)
+    assert timeline.lanes.grab().toImage() == first
+
+
+def test_keys_and_choices_paint_the_lanes_anew(walking: MainWindow) -> None:
+    lanes, bridge = walking.parts.time.timeline.lanes, walking.parts.bridge
+    address = Address(OF_LAYER["shadow.opacity"], bridge.document.layers[0].id)
+    lanes.grab()
+    for frame in (1, 3):
+        before = lanes.still.times_painted
+        bridge.session.edit("Key", set_key(bridge.document, address, frame, 0.5))
+        lanes.grab()
+        assert lanes.still.times_painted == before + 1
+
+
+def test_a_drag_in_the_graph_draws_the_curve_that_changed_and_reads_no_list(walking: MainWindow) -> None:
+    bridge = walking.parts.bridge
+    names = ("shadow.opacity", "shadow.simplify")
+    document = bridge.document
+    addresses = [Address(OF_LAYER[name], document.layers[0].id) for name in names]
+    for address in addresses:
+        for frame, value in ((1, 0.2), (4, 0.6)):
+            document = set_key(document, address, frame, value)
+    bridge.session.edit("Keys", document)
+    walking.parts.actions["curves"].trigger()
+    editor = walking.parts.curves.made()
+    QApplication.processEvents()
+    drawn, rows = editor.graph.drawn.curves_drawn, editor.table.rowCount()
+    first = _first_value(editor.table)
+    listed = editor.table.address
+    assert listed is not None
+    gesture = bridge.session.begin("Drag")
+    for value in (0.3, 0.4, 0.5):
+        gesture.show(set_key(bridge.document, listed, 1, value))
+    assert editor.graph.drawn.curves_drawn == drawn + 3, "one curve a move, not all of them"
+    assert _first_value(editor.table) == first
+    gesture.commit()
+    assert editor.table.rowCount() == rows
+    assert _first_value(editor.table) != first
+
+
+def test_while_a_hand_scrubs_the_picture_comes_after_the_playhead(walking: MainWindow, qtbot: QtBot) -> None:
+    viewport, bridge = walking.parts.viewport, walking.parts.bridge
+    viewport.grab()
+    due: list[int] = []
+    viewport.following.due.connect(lambda: due.append(bridge.frame))
+    bridge.let_pass(on=True, by_hand=True)
+    for frame in (2, 3, 4, 5):
+        bridge.session.go_to(frame)
+    assert due == [], "nobody waits for it"
+    qtbot.waitUntil(lambda: due == [5])
+    bridge.let_pass(on=False)
+    bridge.session.go_to(2)
+    assert due == [5, 2]
