@@ -5754,6 +5754,10 @@ Drop a folder of cels here.</source>
         <translation>影の連番</translation>
     </message>
     <message>
+        <source>something of this name is in the way</source>
+        <translation>同じ名前のものがあります</translation>
+    </message>
+    <message>
         <source>standing still</source>
         <translation>静止</translation>
     </message>
@@ -6515,6 +6519,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>{path}: adjustment layers over drawings are not used: {names}</source>
         <translation>{path}：セルの上の調整レイヤーは使いません：{names}</translation>
+    </message>
+    <message>
+        <source>{path}: another user changes it, or left {lock} beside it, which only they can remove</source>
+        <translation>{path}：ほかのユーザーが変更中か、隣に {lock} を残しています。削除できるのはそのユーザーだけです</translation>
     </message>
     <message>
         <source>{path}: beside cuts, and none itself: {names}</source>
