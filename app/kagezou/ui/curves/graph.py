@@ -119,6 +119,8 @@ class Graph(pg.PlotWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         if event.button() is Qt.MouseButton.LeftButton and self._is_inside(event.position()):
+            # The picture comes after the curves.
+            self._bridge.let_pass(on=True, by_hand=True)
             self.controller.press(self._pointer(event), event.modifiers())
         elif event.button() is Qt.MouseButton.RightButton:
             self.menu_asked.emit(event.globalPosition().toPoint())
@@ -134,6 +136,8 @@ class Graph(pg.PlotWidget):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._moves.finish()
+        if self._bridge.is_scrubbed:
+            self._bridge.let_pass(on=False)
         if event.button() is Qt.MouseButton.LeftButton and self.controller.is_down:
             self.controller.release(self._pointer(event), event.modifiers())
         else:

@@ -32,9 +32,10 @@ class Following(QObject):
         self._behind = QTimer(self)
         self._behind.setSingleShot(True)
         self._behind.timeout.connect(self.due)
-        bridge.frame_changed.connect(self._follow)
+        bridge.frame_changed.connect(self.follow)
 
-    def _follow(self) -> None:
+    def follow(self) -> None:
+        """Take note that the picture is another, by its frame or what is in it."""
         if not self._bridge.is_scrubbed:
             self.due.emit()
             return

@@ -226,7 +226,7 @@ class PictureWidget(QWidget):
             self._rest.start()
         canvas = self._bridge.document.canvas
         self.viewpoint.set_canvas((float(canvas.width_px), float(canvas.height_px)))
-        self._face.update()
+        self.following.follow()
 
     def _refine(self) -> None:
         """Draw what was drawn in haste again, now that the hand rests."""
