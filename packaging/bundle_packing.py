@@ -12,8 +12,8 @@ from typing import Final
 
 LIBRARIES: Final = (
     "libstdc++6", "libegl1", "libgl1", "libgl1-mesa-dri", "libglib2.0-0t64 | libglib2.0-0", "libdbus-1-3",
-    "libfontconfig1", "libxkbcommon-x11-0", "libxcb-cursor0", "libxcb-icccm4", "libxcb-keysyms1", "libxcb-shape0", "libwayland-cursor0",
-    "libwayland-egl1",
+    "libfontconfig1", "libxkbcommon-x11-0", "libxcb-cursor0", "libxcb-icccm4", "libxcb-keysyms1", "libxcb-shape0",
+    "libwayland-cursor0", "libwayland-egl1",
 )  # fmt: skip
 """What a Debian system brings for Qt and OpenGL."""
 _HOME: Final = "opt/kagezou"
