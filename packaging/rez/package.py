@@ -9,7 +9,7 @@ name = "kagezou"
 version = "0.1.0"
 description = "Cast-shadow layers for 2D animation, from the alpha of the character drawings"
 authors = ["Kagezou contributors"]
-requires = ["python-3.11+<3.14"]
+requires = ["python-3.11+<3.15"]
 tools = ["kagezou", "kagezou-window"]
 build_command = "python {root}/build.py {install}"
 

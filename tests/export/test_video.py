@@ -161,7 +161,7 @@ def test_what_cannot_be_made_is_one_sentence(meadow: Document, tmp_path: Path, m
     with pytest.raises(OutputProblem, match="its folder does not exist"):
         filmed(meadow, tmp_path / "nowhere" / "a.mov")
     monkeypatch.setattr(video, "find_spec", lambda _name: None)
-    with pytest.raises(UsageProblem, match=r"pip install 'kagezou\[video\]'"):
+    with pytest.raises(UsageProblem, match="pip install 'av>="):
         filmed(meadow, tmp_path / "a.mov")
 
 

@@ -5004,7 +5004,7 @@ Drop a folder of cels here.</source>
     </message>
     <message>
         <source>pip install {packages}</source>
-        <translation>pip install {packages}</translation>
+        <translation>pip install {packages} を実行</translation>
     </message>
     <message>
         <source>scene</source>

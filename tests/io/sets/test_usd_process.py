@@ -105,5 +105,5 @@ def test_a_camera_that_makes_no_sense_leaves_the_set_alone_and_the_other_way_rou
 
 def test_without_the_package_the_command_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(usd, "find_spec", lambda _: None)
-    with pytest.raises(InputProblem, match=r"pip install 'kagezou\[usd\]'"):
+    with pytest.raises(InputProblem, match="pip install 'usd-core>="):
         read_set(stage(tmp_path / "a.usda", mesh("m")))

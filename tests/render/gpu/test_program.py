@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from weakref import WeakSet
 
 import numpy as np
 import pytest
@@ -102,7 +103,11 @@ def test_each_draw_has_the_uniforms_that_it_was_given_last(folder: Path) -> None
     assert found == pytest.approx([0.25, 0.75, 0.375, 1.0, 1.0], abs=1e-4)
 
 
-def test_a_program_is_compiled_when_it_is_first_used_or_when_all_are(folder: Path) -> None:
+def test_a_program_is_compiled_when_it_is_first_used_or_when_all_are(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Programs that other tests have left are of other folders.
+    monkeypatch.setattr(program, "_waiting", WeakSet())
     (folder / "common" / "tint.glsl").write_text("float tint = 1.0;\n", encoding="utf-8")
     (folder / "good.frag").write_text(FRAGMENT % "1.0", encoding="utf-8")
     (folder / "bad.frag").write_text(FRAGMENT % "missing", encoding="utf-8")
