@@ -84,3 +84,10 @@ def test_a_template_gives_canvas_light_look_ground_set_and_first_number(shell: S
 def test_a_template_that_is_not_there(shell: Shell, tmp_path: Path) -> None:
     words = ["--character", f"A={make_drawings(tmp_path / 'a', 1)}", "--template", tmp_path / "no.kage"]
     assert "no.kage" in shell.fails(7, "new", tmp_path / "p.kage", *words)
+
+
+def test_a_project_has_the_ending_by_which_it_is_known(shell: Shell, tmp_path: Path) -> None:
+    make_drawings(tmp_path / "hero", 2)
+    said = shell.fails(2, "new", tmp_path / "walk", "--character", f"Hero={tmp_path / 'hero'}")
+    assert said.endswith("walk: the name of a project ends in .kage, such as " + str(tmp_path / "walk.kage"))
+    assert not (tmp_path / "walk").exists()

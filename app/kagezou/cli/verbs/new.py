@@ -126,6 +126,14 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     from kagezou.io.project.file import save
 
     path: Path = options.project
+    if path.suffix.lower() != ".kage":
+        raise UsageProblem(
+            Message(
+                "{path}: the name of a project ends in .kage, such as {better}",
+                path=shown(path),
+                better=shown(path.with_name(f"{path.name}.kage")),
+            )
+        )
     if path.exists() and not options.force:
         raise OutputProblem(Message("{path}: it is there already; --force replaces it", path=shown(path)))
     imported = _brought(options)
