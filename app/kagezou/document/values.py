@@ -25,6 +25,14 @@ def value_at(tracks: Tracks, prop: Property[T], frame: float) -> T:
     return prop.default if track is None else prop.typed(track.value_at(frame))
 
 
+def values_ever(tracks: Tracks, prop: Property[T]) -> tuple[Value, ...]:
+    """Return the values that a property has at its keys, or the one that it has all the time."""
+    track = tracks.get(prop.name)
+    if track is None:
+        return (prop.default,)
+    return tuple(key.value for key in track.keys) if track.is_keyed else (track.constant,)
+
+
 def rgb_at(tracks: Tracks, prop: Property[str], frame: float) -> tuple[int, int, int]:
     """Return a colour at a frame as red, green and blue, sRGB, 0 to 255."""
     red, green, blue = bytes.fromhex(value_at(tracks, prop, frame).removeprefix("#"))

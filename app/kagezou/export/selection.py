@@ -1,14 +1,13 @@
 """What of a document a request asks for: its frames and layers, and what they ever do."""
 
-from kagezou.animation.track import Track, Value
 from kagezou.document import properties
 from kagezou.document.companion_properties import CONTACT_STRENGTH, REFLECTION_OPACITY
 from kagezou.document.layer_named import no_layer
-from kagezou.document.model import Document, Layer, Tracks
+from kagezou.document.model import Document, Layer
 from kagezou.document.piece_kinds import kind_of
 from kagezou.document.property import Property
 from kagezou.document.set_properties import PIECE_CASTS, PIECE_DISPLAY, PIECE_UNDER
-from kagezou.document.values import value_at
+from kagezou.document.values import value_at, values_ever
 from kagezou.errors import UsageProblem
 from kagezou.export.request import ExportRequest
 from kagezou.geometry.sets.measures import PieceKind
@@ -77,7 +76,7 @@ def with_shadows(document: Document, request: ExportRequest) -> tuple[Layer, ...
 
 def ever_receives(layer: Layer) -> bool:
     """Return whether a layer receives the shadows of others at any time."""
-    return _is_ever(layer.tracks.get(properties.RECEIVES.name), properties.RECEIVES)
+    return any(values_ever(layer.tracks, properties.RECEIVES))
 
 
 def received_ways(document: Document, layer: Layer) -> tuple[bool, ...]:
@@ -89,7 +88,7 @@ def received_ways(document: Document, layer: Layer) -> tuple[bool, ...]:
         return ()
     figure = layer.joins or layer.id
     others = (each for each in document.layers if each.joins is None and each.id != figure)
-    blends = {value == "multiply" for each in others for value in _values_of(each.tracks, properties.BLEND)}
+    blends = {value == "multiply" for each in others for value in values_ever(each.tracks, properties.BLEND)}
     return tuple(each for each in (True, False) if each in blends) or (True,)
 
 
@@ -105,7 +104,7 @@ def ever_is_mirrored(layer: Layer) -> bool:
 
 def set_ever_casts(document: Document) -> bool:
     """Return whether any piece of the set casts a shadow at any time."""
-    return any(_is_ever(piece.tracks.get(PIECE_CASTS.name), PIECE_CASTS) for piece in document.pieces)
+    return any(value for piece in document.pieces for value in values_ever(piece.tracks, PIECE_CASTS))
 
 
 def ever_clay(document: Document) -> tuple[bool, ...]:
@@ -121,27 +120,8 @@ def ever_clay(document: Document) -> tuple[bool, ...]:
 
 
 def _is_ever_visible(layer: Layer) -> bool:
-    return _is_ever(layer.tracks.get(properties.VISIBLE.name), properties.VISIBLE)
+    return any(values_ever(layer.tracks, properties.VISIBLE))
 
 
 def _is_ever_over_0(layer: Layer, prop: Property[float]) -> bool:
-    track = layer.tracks.get(prop.name)
-    if track is None:
-        return prop.default > 0
-    values = [key.value for key in track.keys] if track.is_keyed else [track.constant]
-    return any(isinstance(value, float) and value > 0 for value in values)
-
-
-def _values_of(tracks: Tracks, prop: Property[str]) -> tuple[Value, ...]:
-    """Return the values that a property has at any time."""
-    track = tracks.get(prop.name)
-    if track is None:
-        return (prop.default,)
-    return tuple(key.value for key in track.keys) if track.is_keyed else (track.constant,)
-
-
-def _is_ever(track: Track | None, prop: Property[bool]) -> bool:
-    """Whether a switch is on at any time."""
-    if track is None:
-        return prop.default
-    return any(key.value for key in track.keys) if track.is_keyed else bool(track.constant)
+    return any(isinstance(value, float) and value > 0 for value in values_ever(layer.tracks, prop))

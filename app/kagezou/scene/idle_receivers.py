@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from kagezou.document.figure_properties import SHAPE
-from kagezou.document.model import Document, Layer, Tracks
+from kagezou.document.model import Document, Layer
 from kagezou.document.properties import RECEIVES, VISIBLE
-from kagezou.document.property import AnyProperty
 from kagezou.document.set_properties import GROUND_RECEIVES, PIECE_RECEIVES
+from kagezou.document.values import values_ever
 from kagezou.message import Message
 
 
@@ -14,7 +14,7 @@ def idle_receivers(document: Document) -> Iterator[tuple[str, Message]]:
     """Yield the id of a layer, and what is to be known of what falls on it or of where its shadow could fall."""
     casting = [layer for layer in document.layers if layer.joins is None and _ever_casts_on_others(layer)]
     for layer in document.layers:
-        if not _is_ever(layer.tracks, RECEIVES, wanted=True):
+        if not any(values_ever(layer.tracks, RECEIVES)):
             continue
         figure = layer.joins or layer.id
         if not any(other.id != figure for other in casting):
@@ -36,19 +36,12 @@ def _ever_casts_on_others(layer: Layer) -> bool:
     """Whether a figure is ever seen with a shadow that follows the light; discs lie on the ground alone."""
     return (
         bool(layer.cels.exposures)
-        and _is_ever(layer.tracks, VISIBLE, wanted=True)
-        and _is_ever(layer.tracks, SHAPE, wanted="cast")
+        and any(values_ever(layer.tracks, VISIBLE))
+        and "cast" in values_ever(layer.tracks, SHAPE)
     )
 
 
 def _anything_receives(document: Document) -> bool:
-    return _is_ever(document.tracks, GROUND_RECEIVES, wanted=True) or any(
-        _is_ever(piece.tracks, PIECE_RECEIVES, wanted=True) for piece in document.pieces
+    return any(values_ever(document.tracks, GROUND_RECEIVES)) or any(
+        any(values_ever(piece.tracks, PIECE_RECEIVES)) for piece in document.pieces
     )
-
-
-def _is_ever(tracks: Tracks, prop: AnyProperty, *, wanted: object) -> bool:
-    track = tracks.get(prop.name)
-    if track is None:
-        return bool(prop.default == wanted)
-    return any(key.value == wanted for key in track.keys) if track.is_keyed else track.constant == wanted
