@@ -23,14 +23,19 @@ _UNPACKING: Final = """\
 set -e
 home="${{1:-$HOME/.local/opt/kagezou}}"
 case "$home" in -h|--help) sed -n 2p "$0"; exit 0;; esac
-if [ -e "$home" ] && [ ! -x "$home/kagezou" ]; then
+# Only a bundle is replaced: a folder that holds anything besides is somebody's.
+if [ -e "$home" ] && [ "$(LC_ALL=C ls -A "$home" | tr '\\n' ' ')" != "_internal kagezou " ]; then
     echo "$home: there is something else; name a new folder" >&2
     exit 4
 fi
-mkdir -p "$home.part"
-tail -n +{first_line} "$0" | tar -xJ -C "$home.part" --strip-components=1
+mkdir -p "$(dirname "$home")"
+part="$(mktemp -d "$home.XXXXXX")"
+trap 'rm -rf "$part"' EXIT
+tail -n +{first_line} "$0" | tar -xJ -C "$part" --strip-components=1
+test -x "$part/kagezou"
+chmod 755 "$part"
 rm -rf "$home"
-mv "$home.part" "$home"
+mv "$part" "$home"
 echo "$home/kagezou"
 exit 0
 """
@@ -51,7 +56,7 @@ def packed(folder: Path, out: Path, version: str) -> Iterator[Path]:
         archive = out / f"{name}.tar.xz"
         _tar(folder, archive, name)
         yield archive
-        yield _self_unpacking(archive, out / f"{name}.run", version)
+        yield self_unpacking(archive, out / f"{name}.run", version)
         if shutil.which("dpkg-deb"):
             yield _deb(folder, out, version)
 
@@ -75,7 +80,8 @@ def _tar(folder: Path, archive: Path, name: str) -> None:
             target.add(path, Path(name) / path.relative_to(folder), recursive=False, filter=plain)
 
 
-def _self_unpacking(archive: Path, target: Path, version: str) -> Path:
+def self_unpacking(archive: Path, target: Path, version: str) -> Path:
+    """Make a script of an archive that unpacks itself; an earlier bundle is replaced, nothing else ever is."""
     head = _UNPACKING.format(version=version, first_line=_UNPACKING.count("\n") + 1)
     with target.open("wb") as stream:
         stream.write(head.encode())

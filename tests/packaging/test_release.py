@@ -3,10 +3,12 @@
 import json
 import subprocess
 import sys
+import tarfile
 from pathlib import Path
 
 import pytest
 
+import bundle_packing
 import dev_third_party
 import release_notes
 from kagezou import own_process
@@ -72,3 +74,32 @@ def test_the_spec_and_the_bundle_script_can_be_read() -> None:
         [sys.executable, ROOT / "packaging" / "bundle.py", "--help"], capture_output=True, text=True, check=True
     )
     assert "--with" in said.stdout
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script for Linux")
+def test_a_bundle_that_unpacks_itself_replaces_nothing_but_a_bundle(tmp_path: Path) -> None:
+    bundle = tmp_path / "kagezou-1"
+    (bundle / "_internal").mkdir(parents=True)
+    (bundle / "kagezou").write_text("#!/bin/sh\necho made\n")
+    (bundle / "kagezou").chmod(0o755)
+    with tarfile.open(tmp_path / "a.tar.xz", "w:xz") as archive:
+        archive.add(bundle, bundle.name)
+    script = bundle_packing.self_unpacking(tmp_path / "a.tar.xz", tmp_path / "a.run", "1")
+
+    def unpacked(home: Path) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(["sh", script, home], capture_output=True, text=True, check=False)
+
+    home = tmp_path / "new" / "kagezou"
+    for _ in range(2):
+        done = unpacked(home)
+        assert (done.returncode, done.stdout) == (0, f"{home / 'kagezou'}\n"), done.stderr
+        assert sorted(path.name for path in home.iterdir()) == ["_internal", "kagezou"]
+    (home / "mine.txt").write_text("precious")
+    assert unpacked(home).returncode == 4
+    assert (home / "mine.txt").read_text() == "precious"
+    damaged = tmp_path / "b.run"
+    damaged.write_bytes(script.read_bytes()[:-40])
+    (home / "mine.txt").unlink()
+    assert subprocess.run(["sh", damaged, home], capture_output=True, check=False).returncode != 0
+    assert (home / "kagezou").is_file()
+    assert [path.name for path in home.parent.iterdir()] == ["kagezou"]
