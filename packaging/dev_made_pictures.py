@@ -4,8 +4,8 @@
 
     .venv/bin/python packaging/dev_made_pictures.py [PAGE ...]
 
-A picture ``../pictures/made/NAME.webp`` of an English page shows the composites that the last ``kagezou render`` above
-it writes, beside each other. So a page cannot show what its commands do not make.
+A picture ``../pictures/made/NAME.webp`` of an English page shows what the last ``kagezou render`` or ``kagezou sheet``
+above it writes: composites beside each other, or the sheet. So a page cannot show what its commands do not make.
 """
 
 import shlex
@@ -24,6 +24,7 @@ from kagezou.io.images.writing import write_rgba
 
 FOLDER: Final = "../pictures/made/"
 _HEIGHT_PX: Final = 420
+_WIDEST_PX: Final = 1400
 _GAP_PX: Final = 8
 _QUALITY: Final = 84
 
@@ -41,16 +42,16 @@ def make(page: Path, world: Path) -> None:
     wanted = [any(name.startswith(FOLDER) for name in each.pictures) for each in listed]
     if not any(wanted):
         return
-    last_render: PageCommand | None = None
+    last: PageCommand | None = None
     for command in listed[: len(wanted) - wanted[::-1].index(True)]:
         if command.words[0] != PROGRAM or command.words[1] == "demo":
             continue
         _run(command, world)
-        if command.words[1] == "render":
-            last_render = command
+        if command.words[1] in ("render", "sheet"):
+            last = command
         for name in command.pictures:
-            if name.startswith(FOLDER) and last_render is not None:
-                _draw(world / last_render.words[last_render.words.index("-o") + 1] / "composite", page.parent / name)
+            if name.startswith(FOLDER) and last is not None:
+                _draw(_made_by(last, world), page.parent / name)
 
 
 def _run(command: PageCommand, world: Path) -> None:
@@ -62,10 +63,15 @@ def _run(command: PageCommand, world: Path) -> None:
         raise SystemExit(f"{shlex.join(command.words)}: code {done.returncode}\n{done.stderr}")
 
 
-def _draw(composites: Path, target: Path) -> None:
-    pictures = [Image.open(path).convert("RGBA") for path in sorted(composites.glob("*.png"))]
+def _made_by(command: PageCommand, world: Path) -> list[Path]:
+    out = world / command.words[command.words.index("-o") + 1]
+    return [out] if out.is_file() else sorted((out / "composite").glob("*.png"))
+
+
+def _draw(paths: list[Path], target: Path) -> None:
+    pictures = [Image.open(path).convert("RGBA") for path in paths]
     for each in pictures:
-        each.thumbnail((4 * _HEIGHT_PX, _HEIGHT_PX), Image.Resampling.LANCZOS)
+        each.thumbnail((_WIDEST_PX, _HEIGHT_PX), Image.Resampling.LANCZOS)
     width = sum(each.width for each in pictures) + _GAP_PX * (len(pictures) - 1)
     beside = Image.new("RGB", (width, max(each.height for each in pictures)), "white")
     left = 0

@@ -11,7 +11,7 @@ ROOT: Final = Path(__file__).resolve().parents[1]
 PROGRAM: Final = "kagezou"
 _PLACES: Final = re.compile(
     r"(?P<fence>^```(?P<kind>\w*)\n(?P<block>.*?)^```)"
-    r"|(?P<indented>^(?: {4}\S[^\n]*\n)+)"
+    r"|(?P<indented>^(?: {4,}\S[^\n]*\n)+)"
     r"|!\[[^\]]*\]\((?P<picture>[^)]+)\)"
     r"|`(?P<inline>[^`]+)`",
     re.MULTILINE | re.DOTALL,
