@@ -1,7 +1,8 @@
 """The manual as a website in both languages, with references made from the program itself.
 
-``python3 packaging/dev.py site`` calls it. Pages are those that the program shows; beside them stand a reference of all
-commands, from what each says of itself, and the description of the project file. Nothing of it is written twice.
+``python3 packaging/dev.py site`` calls it. Pages are those that the program shows; beside them stand references of all
+properties, from their table, and of all commands, from what each says of itself, and the description of the project
+file. Nothing of it is written twice.
 """
 
 import importlib
@@ -14,6 +15,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
+
+from dev_site_properties import properties_page
 
 ROOT: Final = Path(__file__).resolve().parents[1]
 SITE: Final = ROOT / "packaging" / "site"
@@ -42,6 +45,7 @@ def write_pages(folder: Path, language: str) -> tuple[str, ...]:
     folder.mkdir(parents=True)
     pages = pages_in(language)
     texts = {name: with_properties(page.text, sections()) for name, page in pages.items()}
+    texts["properties"] = "\n".join(properties_page(language))
     texts["commands"] = "\n".join(commands_page(language))
     texts["project-file"] = _project_file(language)
     others = [name for name in texts if name != FIRST]

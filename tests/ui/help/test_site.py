@@ -9,6 +9,7 @@ import pytest
 
 import dev_site
 from kagezou.cli.main import VERBS
+from kagezou.document.properties import TABLE
 from kagezou.ui.system.language import Language
 
 
@@ -19,7 +20,7 @@ def test_the_website_has_every_page_and_leads_nowhere_else(
     monkeypatch.setenv("COLUMNS", "80")
     names = dev_site.write_pages(tmp_path / language, language)
     english.speak("en")
-    assert {"index", "commands", "project-file", "light"} <= set(names)
+    assert {"index", "properties", "commands", "project-file", "light"} <= set(names)
     beside = {
         path.relative_to(dev_site.ROOT / "docs").as_posix()
         for folder in ("pictures", "scripts")
@@ -30,6 +31,22 @@ def test_the_website_has_every_page_and_leads_nowhere_else(
         assert "<!-- properties" not in text
         for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", re.sub(r"```.*?```|`[^`]*`", "", text, flags=re.DOTALL)):
             assert target.startswith("http") or target.removesuffix(".md") in names or target in beside, (name, target)
+
+
+@pytest.mark.parametrize("language", dev_site.LANGUAGES)
+def test_the_reference_has_every_property_with_its_values(language: str, english: Language) -> None:
+    english.speak(language)
+    lines = list(dev_site.properties_page(language))
+    rows = [line for line in lines if re.match(r"\| [^|]+ \| `", line)]
+    english.speak("en")
+    assert len(rows) == len(TABLE)
+    assert all(row.count(" | ") == 4 and "|  |" not in row for row in rows)
+    (softness,) = (row for row in rows if "`layers.NAME.shadow.softness`" in row)
+    assert "| 0 – 200 px | `0` |" in softness
+    (kind,) = (row for row in rows if "| `light.kind` |" in row)
+    assert kind.count("`") == 8, "its path, both choices and the default"
+    if language == "ja":
+        assert all(any(ord(sign) > 0x3000 for sign in row) for row in rows)
 
 
 def test_every_command_is_explained_in_both_languages() -> None:
