@@ -29,6 +29,7 @@ _TITLES: Final = {
         "プロジェクトファイル",
     ),
 }
+_REFERENCES: Final = {"en": "References", "ja": "リファレンス"}
 _WIDTH: Final = "100"
 
 
@@ -48,8 +49,7 @@ def write_pages(folder: Path, language: str) -> tuple[str, ...]:
     texts["properties"] = "\n".join(properties_page(language))
     texts["commands"] = "\n".join(commands_page(language))
     texts["project-file"] = _project_file(language)
-    others = [name for name in texts if name != FIRST]
-    texts[FIRST] += "\n```{toctree}\n:hidden:\n\n" + "\n".join(others) + "\n```\n"
+    texts[FIRST] += "".join(_contents(texts[FIRST], language))
     for name, text in texts.items():
         (folder / f"{name}.md").write_text(_scripts_named(text), encoding="utf-8")
     speaking.fall_silent()
@@ -70,6 +70,14 @@ def commands_page(language: str) -> Iterator[str]:
         parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
         module.add_arguments(parser)
         yield from (f"## kagezou {verb}", "", words[verb], "", "```text", parser.format_help().rstrip(), "```", "")
+
+
+def _contents(first: str, language: str) -> Iterator[str]:
+    """Yield what makes the list at the side: the chapters of the first page, and the references."""
+    chapters = re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", first, re.MULTILINE | re.DOTALL)
+    for title, text in (*chapters, (_REFERENCES[language], "(properties.md)(commands.md)(project-file.md)")):
+        names = "\n".join(dict.fromkeys(re.findall(r"\(([a-z-]+)\.md\)", text)))
+        yield f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n{names}\n```\n"
 
 
 def _project_file(language: str) -> str:

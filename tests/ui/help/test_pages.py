@@ -68,6 +68,13 @@ def test_an_unknown_section_is_no_empty_list() -> None:
         with_properties("<!-- properties: nothing -->", sections())
 
 
+def test_the_end_of_a_line_is_no_space_in_japanese() -> None:
+    text = pages_in("ja")["first-cut"].text
+    assert "後の手順が前の手順を取り消すことはありません" in text
+    assert not re.search(r"[ぁ-ん]\n[ぁ-ん]", re.sub(r"```.*?```", "", text, flags=re.DOTALL))
+    assert text.count("\n## ") == 7, "headings stay on lines of their own"
+
+
 def test_what_is_not_translated_is_there_in_english() -> None:
     assert pages_in("no-such-language")[FIRST].title == "Kagezou Manual"
 
