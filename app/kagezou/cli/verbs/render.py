@@ -184,14 +184,16 @@ def _handover(options: Namespace, document: "Document", summary: "Summary") -> "
 
 def _document(options: Namespace) -> "Document":
     """Return what is rendered: the project, with its pictures where they lie here, exposed as a sheet says."""
-    from kagezou.importing.staging import with_timesheet
     from kagezou.io.project.file import load
-    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
 
     document = load(options.project)
     if options.path_mapping is not None:
+        from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
+
         document = with_mapped_paths(document, read_rules(options.path_mapping))
     if options.timesheet is not None:
+        from kagezou.importing.staging import with_timesheet
+
         timed = with_timesheet(document, options.timesheet)
         for sentence in timed.notes:
             note(sentence)
