@@ -166,12 +166,12 @@ def _is_any_installed() -> bool:
     Where Python finds modules in anything but a folder, there may be one.
     """
     group = f"[{ENTRY_POINTS}]".encode()
-    for place in filter(None, sys.path):
-        if os.path.isfile(place):
+    for place in map(Path, filter(None, sys.path)):
+        if place.is_file():
             return True
         with suppress(OSError):
-            for name in os.listdir(place):
-                if name.endswith((".dist-info", ".egg-info")) and group in _named_by(Path(place, name)):
+            for package in place.iterdir():
+                if package.suffix in {".dist-info", ".egg-info"} and group in _named_by(package):
                     return True
     return False
 
