@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -74,7 +75,7 @@ def random_scene(figure: Path, seed: int, pieces: Mapping[str, Values] | None = 
 
 def agreement(got: Array, cast: ShadowCast) -> Agreement:
     art = raycast.Art(figure_alpha() / 255)
-    return Agreement.by_rays(got, lambda rays: raycast.coverage(cast, art, got, rays), *RAYS)
+    return Agreement.by_rays(got, partial(raycast.coverage, cast, art, got), *RAYS)
 
 
 @pytest.mark.parametrize("seed", range(10))
