@@ -21,9 +21,9 @@ def test_the_website_has_every_page_and_leads_nowhere_else(
     english.speak("en")
     assert {"index", "commands", "project-file", "light"} <= set(names)
     beside = {
-        f"{folder}/{path.name}"
+        path.relative_to(dev_site.ROOT / "docs").as_posix()
         for folder in ("pictures", "scripts")
-        for path in (dev_site.ROOT / "docs" / folder).iterdir()
+        for path in (dev_site.ROOT / "docs" / folder).rglob("*")
     }
     for name in names:
         text = (tmp_path / language / f"{name}.md").read_text(encoding="utf-8")
