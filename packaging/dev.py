@@ -5,6 +5,8 @@
     python3 packaging/dev.py demo [...]    set up, then render the demo
     python3 packaging/dev.py app [...]     set up, then start the program
     python3 packaging/dev.py test [...]    set up, then lint, types, floors and tests (arguments go to pytest)
+    python3 packaging/dev.py test --thorough    the same with the whole of every sweep (an hour, not minutes)
+    python3 packaging/dev.py endurance     set up, then work in the window for an hour; tells what grows (--minutes)
     python3 packaging/dev.py lint          set up, then lint, types and floors
     python3 packaging/dev.py setup         set up only
     python3 packaging/dev.py hooks         set up, then have git run the checks before every commit
@@ -50,8 +52,9 @@ IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
 """Tests side by side, each process with a screen of its own."""
 SINGLE_THREADS = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 """For processes that share the cores: threads of their own for drawing and sums only get in each other's way."""
+THOROUGH = "--thorough"
 COVERED = ("tests/geometry", "tests/animation")
-VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate", "site", "pictures", "lock")
+VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate", "site", "pictures", "lock", "endurance")
 PLAIN = ("lint", "setup", "hooks", "translate", "site", "pictures", "lock")
 """Verbs that take no arguments and read the sources alone, but for ``setup``."""
 PICTURES = ("dev_style_pictures.py", "dev_filter_pictures.py", "dev_made_pictures.py", "dev_window_pictures.py")
@@ -89,7 +92,7 @@ def set_up(verb: str, *, yes: bool = False) -> Environment:
     support = () if environment.is_ready(extra) else virtual_environment_support(environment.version)
     if verb in ("lint", "hooks", "translate", "site"):  # read the sources, draw nothing
         supply(support, (), say, ask)
-    elif verb in ("test", "setup", "pictures"):
+    elif verb in ("test", "setup", "pictures", "endurance"):
         supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say, ask)
     elif verb == "app" or has_display(os.environ):
         supply([*support, *HEADLESS, *WINDOW], (), say, ask)
@@ -118,8 +121,10 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     covered = (*COVERED, "--cov", "--cov-report=term-missing:skip-covered", *IN_PARALLEL)
     others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
     failed = 0
+    thorough = {"KAGEZOU_THOROUGH": "1"} if THOROUGH in arguments else {}
+    arguments = [each for each in arguments if each != THOROUGH]
     with private_display() as screen:
-        variables = {**SINGLE_THREADS, **screen}
+        variables = {**SINGLE_THREADS, **screen, **thorough}
         for selection in (tuple(arguments),) if arguments else (covered, others):
             say("-- pytest")
             command = [str(environment.python), "-m", "pytest", *selection]
@@ -167,6 +172,9 @@ def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
     if verb == "site":
         command = [str(environment.python), str(ROOT / "packaging" / "dev_site.py")]
         return subprocess.call(command, cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+    if verb == "endurance":
+        command = [str(environment.python), str(ROOT / "packaging" / "dev_endurance.py"), *arguments]
+        return subprocess.call(command, cwd=ROOT)
     if verb == "pictures":
         return pictures(environment)
     if verb in ("demo", "app"):

@@ -4,11 +4,13 @@ The only place that knows both.
 """
 
 import gc
+import logging
 import os
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from kagezou.cli import main as command_line
 from kagezou.cli.arguments_file import given_words
@@ -60,6 +62,22 @@ def _start_lean() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
+def program() -> NoReturn:
+    """Be the program: do what the words say and end the process.
+
+    What Python does at its end, taking every object apart, takes as long as several frames; where no window was open,
+    nothing waits for it.
+    """
+    code = main()
+    if "PySide6" not in sys.modules:
+        logging.shutdown()
+        with suppress(OSError, ValueError):  # a reader that is gone has been told of already
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(code)
+    sys.exit(code)
+
+
 def window(arguments: Sequence[str] | None = None) -> int:
     """Open the window from a desktop, where there may be no console; with a file that was double-clicked, if any."""
     words = list(sys.argv[1:] if arguments is None else arguments)
@@ -96,4 +114,4 @@ def make_demo(folder: Path, progress: Callable[[int, int], None]) -> Path:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    program()

@@ -97,6 +97,24 @@ def test_every_check_runs_and_any_failure_counts(
     assert ran == [*checks, "pytest", "pytest"], "what must be covered whole, and then all others"
 
 
+def test_all_of_every_sweep_is_tried_when_asked_for(modules: Modules, monkeypatch: pytest.MonkeyPatch) -> None:
+    ran: list[tuple[list[str], str | None]] = []
+
+    def call(command: list[str], *, env: dict[str, str], **_: Any) -> int:
+        ran.append((command, env.get("KAGEZOU_THOROUGH")))
+        return 0
+
+    monkeypatch.setattr(modules.dev.subprocess, "call", call)
+    monkeypatch.setattr(modules.dev, "private_display", FakeDisplay)
+    environment = modules.venv.Environment(ROOT, (3, 11))
+    assert modules.dev.run_tests(environment, ["--thorough"]) == 0
+    assert [thorough for _, thorough in ran] == ["1", "1"]
+    assert modules.dev.run_tests(environment, ["tests/io", "--thorough"]) == 0
+    assert (ran[-1][0][-1], ran[-1][1]) == ("tests/io", "1")
+    assert modules.dev.run_tests(environment, ["tests/io"]) == 0
+    assert ran[-1][1] is None
+
+
 class FakeDisplay:
     def __enter__(self) -> dict[str, str]:
         return {}

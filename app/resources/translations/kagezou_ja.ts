@@ -5166,6 +5166,10 @@ Drop a folder of cels here.</source>
         <translation>番号の桁数は 1 から {most} までです（{digits} は使えません）</translation>
     </message>
     <message>
+        <source>a process that shared the work ended by itself; {count} pictures were made again</source>
+        <translation>作業を分担していたプロセスが途中で終了しました。{count} 枚の画像を作り直しました</translation>
+    </message>
+    <message>
         <source>a scene with a column for each layer</source>
         <translation>レイヤーごとに列を持つシーン</translation>
     </message>
