@@ -62,7 +62,7 @@ def test_the_project_file_is_described_in_japanese_row_by_row(english: Language)
     assert [line for line in text.split("```")[0].splitlines() if left.search(line)] == []
     softness = next(line for line in text.splitlines() if line.startswith("| `shadow.softness`"))
     assert "| 数、0～200 px | `0.0` |" in softness
-    assert "縁" in softness
+    assert "エッジの幅" in softness
 
 
 def test_every_command_is_explained_in_both_languages() -> None:
