@@ -167,6 +167,12 @@ def pictures(environment: Environment) -> int:
     return 0
 
 
+STARTED = {
+    "demo": ("-m", "kagezou", "demo"),
+    "app": ("-m", "kagezou"),
+    "endurance": (str(ROOT / "packaging" / "dev_endurance.py"),),
+}
+"""What verbs start that hand their arguments on; the program works where it is called."""
 ALONE = {"hooks": hooks, "translate": translate, "site": site, "pictures": pictures}
 """Verbs that need nothing but an environment."""
 
@@ -182,9 +188,9 @@ def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
         return 0
     if verb in ALONE:
         return ALONE[verb](environment)
-    if verb in ("demo", "app"):
-        command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
-        return subprocess.call([*command, *arguments])
+    if verb in STARTED:
+        command = [str(environment.python), *STARTED[verb], *arguments]
+        return subprocess.call(command, cwd=ROOT if verb == "endurance" else None)
     failed = run_checks(environment)
     if failed:
         say(f"Failed: {', '.join(failed)}.")

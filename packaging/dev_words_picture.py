@@ -16,7 +16,7 @@ WORDS: Final[dict[str, tuple[str, str, QPoint]]] = {
     "light.sun": ("sun: turn and height", "太陽：向きと高さ", QPoint(40, 72)),
     "ground.position": ("ground position", "地面の位置", QPoint(-215, 20)),
     "ground.end": (
-        "ground line; its end turns it (ground roll)",
+        "ground line; its end: roll",
         "接地ライン。端で回す（地面の回転）",
         QPoint(20, 38),
     ),

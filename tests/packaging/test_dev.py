@@ -115,6 +115,36 @@ def test_all_of_every_sweep_is_tried_when_asked_for(modules: Modules, monkeypatc
     assert ran[-1][1] is None
 
 
+@pytest.mark.parametrize(
+    ("verb", "started", "where"),
+    [
+        ("demo", ["-m", "kagezou", "demo", "x"], None),
+        ("app", ["-m", "kagezou", "x"], None),
+        ("endurance", [str(ROOT / "packaging" / "dev_endurance.py"), "x"], ROOT),
+        ("hooks", ["-m", "pre_commit", "install"], ROOT),
+        ("site", [str(ROOT / "packaging" / "dev_site.py")], ROOT),
+    ],
+)
+def test_a_verb_starts_its_own_program_and_no_other(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, verb: str, started: list[str], where: Path | None
+) -> None:
+    ran: list[tuple[list[str], object]] = []
+
+    def call(command: list[str], cwd: Path | None = None, **_: Any) -> int:
+        ran.append((command[1:], cwd))
+        return 7
+
+    monkeypatch.setattr(modules.dev, "set_up", lambda _, **__: modules.venv.Environment(ROOT, (3, 11)))
+    monkeypatch.setattr(modules.dev.subprocess, "call", call)
+    assert modules.dev.run_verb(verb, ["x"]) == 7
+    assert ran == [(started, where)]
+
+
+def test_every_verb_does_something_of_its_own(modules: Modules) -> None:
+    others = {"test", "lint", "setup", "lock"}
+    assert {*modules.dev.STARTED, *modules.dev.ALONE, *others} == set(modules.dev.VERBS)
+
+
 class FakeDisplay:
     def __enter__(self) -> dict[str, str]:
         return {}
