@@ -155,6 +155,19 @@ def pictures(environment: Environment) -> int:
     return 0
 
 
+def words_of(verb: str, arguments: Sequence[str]) -> list[str] | None:
+    """Return what Python is called with for a verb that is one call of it, or None."""
+    scripts = ROOT / "packaging"
+    calls = {
+        "demo": ["-m", "kagezou", "demo"],
+        "app": ["-m", "kagezou"],
+        "hooks": ["-m", "pre_commit", "install"],
+        "site": [str(scripts / "dev_site.py")],
+        "endurance": [str(scripts / "dev_endurance.py")],
+    }
+    return [*calls[verb], *arguments] if verb in calls else None
+
+
 def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
     """Set up for the verb, do it, and return the exit code."""
     if verb == "lock":
@@ -164,22 +177,14 @@ def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
     if verb == "setup":
         say(f"Ready: {environment.python}")
         return 0
-    if verb == "hooks":
-        return subprocess.call([str(environment.python), "-m", "pre_commit", "install"], cwd=ROOT)
     if verb == "translate":
         translate(environment)
         return 0
-    if verb == "site":
-        command = [str(environment.python), str(ROOT / "packaging" / "dev_site.py")]
-        return subprocess.call(command, cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
-    if verb == "endurance":
-        command = [str(environment.python), str(ROOT / "packaging" / "dev_endurance.py"), *arguments]
-        return subprocess.call(command, cwd=ROOT)
     if verb == "pictures":
         return pictures(environment)
-    if verb in ("demo", "app"):
-        command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
-        return subprocess.call([*command, *arguments])
+    words = words_of(verb, arguments)
+    if words is not None:
+        return subprocess.call([str(environment.python), *words], cwd=None if verb in ("demo", "app") else ROOT)
     failed = run_checks(environment)
     if failed:
         say(f"Failed: {', '.join(failed)}.")

@@ -25,7 +25,6 @@ NOT_RUN = {
     "python3 -m venv": _NETWORK,
     "python3 packaging/dev.py": _SET_UP,
     "python3 packaging/bundle.py": "packs for minutes; it tries what it packs itself",
-    ".venv/bin/python packaging/dev_endurance.py": "works for twenty minutes",
     "python -m kagezou.io.project.format": _CHECKOUT,
     "python first.py": "test_the_first_script_runs runs it",
     "openjd run": _FARM,

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import dev_site
+from dev_site_properties import properties_page
 from kagezou.cli.main import VERBS
 from kagezou.document.properties import TABLE
 from kagezou.ui.system.language import Language
@@ -36,7 +37,7 @@ def test_the_website_has_every_page_and_leads_nowhere_else(
 @pytest.mark.parametrize("language", dev_site.LANGUAGES)
 def test_the_reference_has_every_property_with_its_values(language: str, english: Language) -> None:
     english.speak(language)
-    lines = list(dev_site.properties_page(language))
+    lines = list(properties_page(language))
     rows = [line for line in lines if re.match(r"\| [^|]+ \| `", line)]
     english.speak("en")
     assert len(rows) == len(TABLE)
