@@ -132,7 +132,12 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     return failed
 
 
-def translate(environment: Environment) -> None:
+def hooks(environment: Environment) -> int:
+    """Have git run the checks before every commit."""
+    return subprocess.call([str(environment.python), "-m", "pre_commit", "install"], cwd=ROOT)
+
+
+def translate(environment: Environment) -> int:
     """Bring the catalogues up to date, and name what still has no translation."""
     # Only here: set-up itself must be readable by an older Python, to say that it is too old.
     import dev_translations
@@ -142,6 +147,13 @@ def translate(environment: Environment) -> None:
     dev_translations.update(tools)
     for text in dev_translations.unfinished():
         say(f"not translated: {text}")
+    return 0
+
+
+def site(environment: Environment) -> int:
+    """Make the manual as a website."""
+    command = [str(environment.python), str(ROOT / "packaging" / "dev_site.py")]
+    return subprocess.call(command, cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
 
 
 def pictures(environment: Environment) -> int:
@@ -155,17 +167,8 @@ def pictures(environment: Environment) -> int:
     return 0
 
 
-def words_of(verb: str, arguments: Sequence[str]) -> list[str] | None:
-    """Return what Python is called with for a verb that is one call of it, or None."""
-    scripts = ROOT / "packaging"
-    calls = {
-        "demo": ["-m", "kagezou", "demo"],
-        "app": ["-m", "kagezou"],
-        "hooks": ["-m", "pre_commit", "install"],
-        "site": [str(scripts / "dev_site.py")],
-        "endurance": [str(scripts / "dev_endurance.py")],
-    }
-    return [*calls[verb], *arguments] if verb in calls else None
+ALONE = {"hooks": hooks, "translate": translate, "site": site, "pictures": pictures}
+"""Verbs that need nothing but an environment."""
 
 
 def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
@@ -177,14 +180,11 @@ def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
     if verb == "setup":
         say(f"Ready: {environment.python}")
         return 0
-    if verb == "translate":
-        translate(environment)
-        return 0
-    if verb == "pictures":
-        return pictures(environment)
-    words = words_of(verb, arguments)
-    if words is not None:
-        return subprocess.call([str(environment.python), *words], cwd=None if verb in ("demo", "app") else ROOT)
+    if verb in ALONE:
+        return ALONE[verb](environment)
+    if verb in ("demo", "app"):
+        command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
+        return subprocess.call([*command, *arguments])
     failed = run_checks(environment)
     if failed:
         say(f"Failed: {', '.join(failed)}.")

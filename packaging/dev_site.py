@@ -16,18 +16,15 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+from dev_site_project_file import in_japanese
 from dev_site_properties import properties_page
 
 ROOT: Final = Path(__file__).resolve().parents[1]
 SITE: Final = ROOT / "packaging" / "site"
 LANGUAGES: Final = {"en": "English", "ja": "日本語"}
 _TITLES: Final = {
-    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it.", "Project file"),
-    "ja": (
-        "コマンド",
-        "コマンドラインの全コマンドです。説明文は `kagezou help COMMAND` と同じ英語です。",
-        "プロジェクトファイル",
-    ),
+    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it."),
+    "ja": ("コマンド", "コマンドラインの全コマンドです。説明文は `kagezou help COMMAND` と同じ英語です。"),
 }
 _REFERENCES: Final = {"en": "References", "ja": "リファレンス"}
 _WIDTH: Final = "100"
@@ -61,7 +58,7 @@ def commands_page(language: str) -> Iterator[str]:
     from kagezou.cli.arguments import Parser
     from kagezou.cli.main import VERBS
 
-    title, says, _ = _TITLES[language]
+    title, says = _TITLES[language]
     words = VERBS if language == "en" else json.loads((SITE / "commands_ja.json").read_text(encoding="utf-8"))
     yield from (f"# {title}", "", says, "")
     os.environ["COLUMNS"] = _WIDTH
@@ -83,10 +80,7 @@ def _contents(first: str, language: str) -> Iterator[str]:
 def _project_file(language: str) -> str:
     from kagezou.io.project.format import description
 
-    text = description()
-    return (
-        text if language == "en" else re.sub(r"^# .*$", f"# {_TITLES[language][2]} (.kage)", text, count=1, flags=re.M)
-    )
+    return description() if language == "en" else in_japanese(description())
 
 
 def _scripts_named(text: str) -> str:

@@ -13,7 +13,7 @@ _LINE: Final = QColor("#FFD54A")
 _LETTERS_PX: Final = 15
 _PAD_PX: Final = 6
 WORDS: Final[dict[str, tuple[str, str, QPoint]]] = {
-    "light.sun": ("sun: turn and height", "太陽：向きと高さ", QPoint(150, 40)),
+    "light.sun": ("sun: turn and height", "太陽：向きと高さ", QPoint(40, 72)),
     "ground.position": ("ground position", "地面の位置", QPoint(-215, 20)),
     "ground.end": (
         "ground line; its end turns it (ground roll)",

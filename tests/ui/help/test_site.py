@@ -8,9 +8,11 @@ from pathlib import Path
 import pytest
 
 import dev_site
+from dev_site_project_file import in_japanese
 from dev_site_properties import properties_page
 from kagezou.cli.main import VERBS
 from kagezou.document.properties import TABLE
+from kagezou.io.project.format import description
 from kagezou.ui.system.language import Language
 
 
@@ -48,6 +50,19 @@ def test_the_reference_has_every_property_with_its_values(language: str, english
     assert kind.count("`") == 8, "its path, both choices and the default"
     if language == "ja":
         assert all(any(ord(sign) > 0x3000 for sign in row) for row in rows)
+
+
+def test_the_project_file_is_described_in_japanese_row_by_row(english: Language) -> None:
+    english.speak("ja")
+    text = in_japanese(description())
+    english.speak("en")
+    english_rows, rows = (re.findall(r"^\| (`[^`]+`) \|", each, re.MULTILINE) for each in (description(), text))
+    assert rows == english_rows
+    left = re.compile(r"[a-z]{3,} [a-z]{2,} [a-z]{2,}")
+    assert [line for line in text.split("```")[0].splitlines() if left.search(line)] == []
+    softness = next(line for line in text.splitlines() if line.startswith("| `shadow.softness`"))
+    assert "| 数、0～200 px | `0.0` |" in softness
+    assert "縁" in softness
 
 
 def test_every_command_is_explained_in_both_languages() -> None:
