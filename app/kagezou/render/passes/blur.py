@@ -1,7 +1,7 @@
 """The pass that blurs a shadow on its receiver: in bands, each as coarse as its blur allows, all of them at once."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from kagezou.render.prepare.filter_charts import Receivers, counted_texels
 from kagezou.render.prepare.filter_job import FilterJob
 from kagezou.render.prepare.filter_uniforms import Uniforms
 from kagezou.render.prepare.held_shape import slide_of
+from kagezou.render.prepare.outline_tiles import Tables
 from kagezou.render.prepare.strip_uniforms import STRIPS, blur_uniforms, box_array, held_box, numbered
 from kagezou.scene.scene import ShadowCast
 
@@ -36,12 +37,13 @@ _ALONG_V, _ALONG_U = frozenset({"ALONG_V"}), frozenset({"ALONG_U"})
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Blurred:
-    """A job that is done: the level of its shape, and what each of its strips holds."""
+    """A job that is done: the level of its shape, and what each of its strips holds; with tables of that."""
 
     job: FilterJob
     matte: PlacedMatte
     level: float
     values: tuple[Texels, ...]
+    tables: Tables = field(default_factory=Tables)
 
     def pairs(self, chart: int) -> list[tuple[Strip, Texels]]:
         """Return the strips of a chart, and what they hold."""
@@ -76,24 +78,23 @@ class BlurPass:
         shadow, half, blurred = self._atlases_for(job.strips)
         for chart in job.charts:
             self._plane.fill(job, matte, chart, shadow)
-        used = Box(0, 0, max((s.box.right for s in job.strips), default=0), sum(s.box.height for s in job.strips))
-        before = shadow.read_floats(used)
-        tiles = {strip: blur_tiles(strip, before) for strip in job.strips if _is_large(strip)}
+        # What lies beside the narrow strips is not read.
+        before = [shadow.read_floats(strip.box) for strip in job.strips]
+        tiles = {s: blur_tiles(s, texels) for s, texels in zip(job.strips, before, strict=True) if _is_large(s)}
         uniforms = blur_uniforms(job, cast_level(job))
         held = [(strip, held_box(chart, strip)) for chart in job.charts for strip in chart.strips]
         self._sum((shadow, half), _ALONG_V, [(s, tiles[s][0] if s in tiles else box) for s, box in held], uniforms)
         shown = [(strip, tiles[strip][1] if strip in tiles else strip.shown) for strip in job.strips]
         self._sum((half, blurred), _ALONG_U, shown, uniforms)
-        after = blurred.read_floats(used)
-        counted = [
-            _counted(
-                strip,
-                (before, after),
-                counted_texels(job, receivers, chart, strip, _MARGIN_TEXELS),
-                tiles[strip][1] if strip in tiles else None,
-            )
+        after = [blurred.read_floats(strip.shown) for strip in job.strips]
+        counts = [
+            counted_texels(job, receivers, chart, strip, _MARGIN_TEXELS)
             for chart in job.charts
             for strip in chart.strips
+        ]
+        counted = [
+            _counted(strip, texels, count, tiles[strip][1] if strip in tiles else None)
+            for strip, count, *texels in zip(job.strips, counts, before, after, strict=True)
         ]
         level, alone = area_preserving_level(counted), job.charts[0].strips
         job = replace(job, slide=slide_of(job, alone, counted[: len(alone)], level))
@@ -155,9 +156,10 @@ def _is_large(strip: Strip) -> bool:
 
 
 def _counted(
-    strip: Strip, texels: tuple[Texels, Texels], counts: NDArray[np.bool_] | None, tiles: BlurTiles | None
+    strip: Strip, texels: Sequence[Texels], counts: NDArray[np.bool_] | None, tiles: BlurTiles | None
 ) -> Counted:
-    shown = strip.shown
-    before, after = (each[shown.top : shown.bottom, shown.left : shown.right] for each in texels)
+    """Return the shown part of a strip; ``texels`` are all of it before the blur, and that part after it."""
+    shown, (before, after) = strip.shown, texels
+    sharp = before[shown.top - strip.box.top : shown.bottom - strip.box.top]
     corners = None if tiles is None else tiles.corners - (shown.left, shown.top)
-    return Counted(before, after, strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS, counts, corners)
+    return Counted(sharp, after, strip.row_areas(_MARGIN_TEXELS), _MARGIN_TEXELS, counts, corners)

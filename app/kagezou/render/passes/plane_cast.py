@@ -2,13 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import reduce
 from itertools import groupby, pairwise
 from math import ceil, log2
 
 import numpy as np
 
-from kagezou.geometry.box import Box
+from kagezou.geometry.box import Box, around
 from kagezou.geometry.polygon import bounding_box
 from kagezou.geometry.sets.laid_flat import lines_of, moved
 from kagezou.geometry.vectors import Matrix
@@ -21,6 +20,7 @@ from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.passes.halving import HalvingPass
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of, extent_of
+from kagezou.render.prepare.polygon_tiles import polygon_tiles
 from kagezou.render.prepare.shadow_levels import ShadowLevels
 from kagezou.render.prepare.shadow_tiles import CELLS
 from kagezou.render.prepare.strip_uniforms import STRIPS, box_array, crop_uniforms, numbered
@@ -78,7 +78,7 @@ class PlaneCast:
         self._copy = Program("common/box.vert", "passes/shifted.frag")
         self._wholes: list[Target | None] = [None, None]
         self._ground_first = (0, 0)
-        self._ground_box = Box(0, 0, 0, 0)
+        self._ground_held: Box | None = None
         self._kept: _Kept | None = None
         self._scratches = Scratches()
 
@@ -119,13 +119,12 @@ class PlaneCast:
         box = levels.box_of(levels.finest)
         # The shape alone is filtered; its strength under a low light is applied where it is shown.
         window = Window(box, levels.plane_from_target, _cells_at(levels.finest), is_shape_only=True)
-        held: Box | None = box
         if not job.development.charts[chart.number]:
-            self._ground_first, self._ground_box = levels.corner, box
             held = self._cast(BlurView.of_ground(job, box), matte, whole, window)
+            self._ground_first, self._ground_held = levels.corner, held
         else:
-            self._lay_ground(whole, box, levels.corner)
-            self._cast_sheets(job, matte, chart, whole, window)
+            held = self._lay_ground(whole, box, levels.corner)
+            held = self._cast_sheets((job, matte, chart), (whole, held), window)
         if held is not None:
             self._halving.fill(whole, levels, held)
 
@@ -147,9 +146,15 @@ class PlaneCast:
         on_canvas = replace(window, canvas_from_target=view.canvas_from_blurred @ window.canvas_from_target)
         return self._caster.unite(cast, matte, target, on_canvas)
 
-    def _cast_sheets(self, job: FilterJob, matte: PlacedMatte, chart: Chart, whole: Target, window: Window) -> None:
-        """Cast the shadow on each sheet of a chart, and lay what is uppermost over the ground."""
+    def _cast_sheets(
+        self, asked: tuple[FilterJob, PlacedMatte, Chart], goal: tuple[Target, Box | None], window: Window
+    ) -> Box | None:
+        """Cast the shadow on each sheet of a chart, and lay what is uppermost over the ground.
+
+        ``goal`` is where the ground is, and the box that may hold any of its shadow; returned is that of all.
+        """
         assert window.canvas_from_target is not None
+        (job, matte, chart), (whole, held) = asked, goal
         alone = self._scratches.like("alone", whole)
         flat_from_target = np.eye(3)
         flat_from_target[:2, :2] = job.ground_from_blurred
@@ -158,40 +163,51 @@ class PlaneCast:
         for number, group in groupby(outlines, key=lambda outline: outline.sheet):
             parts = [[moved(target_from_flat, each) for each in (outline.corners, *outline.over)] for outline in group]
             boxes = [bounding_box(polygons[0]) for polygons in parts]
-            around = [box for box in (each and each.grown(1).intersection(window.box) for each in boxes) if box]
-            if not around:
+            part = around(*(each and each.grown(1).intersection(window.box) for each in boxes))
+            if part is None:
                 continue
-            part = reduce(Box.union, around)
             box = self._cast(BlurView.of_sheet(job, number, window.box), matte, alone, replace(window, box=part))
-            for polygons in parts:
-                self._lay(alone, polygons, part, whole)
+            # Where neither has any shadow there is nothing to be laid.
+            held = around(held, box)
+            shown = held and part.intersection(held)
+            if shown is not None:
+                for polygons in parts:
+                    self._lay(alone, polygons, shown, whole)
             if box is not None:
                 alone.clear(box)
+        return held
 
-    def _lay_ground(self, whole: Target, box: Box, first: tuple[int, int]) -> None:
-        """Copy the shadow on the ground alone into a picture of another part of it."""
+    def _lay_ground(self, whole: Target, box: Box, first: tuple[int, int]) -> Box | None:
+        """Copy the shadow on the ground alone into a picture of another part of it; return where it may hold any."""
         ground = self._wholes[0]
         assert ground is not None
         shift = [own - other for own, other in zip(self._ground_first, first, strict=True)]
-        part = self._ground_box.moved(*shift).intersection(box)
+        part = self._ground_held and self._ground_held.moved(*shift).intersection(box)
         if part is not None:
             whole.bind(part)
             ground.texture.bind(0)
             uniforms: dict[str, Uniform] = {"u_target_size_px": whole.size_px, "u_source": 0}
             self._copy.use(uniforms | {"u_shift": (float(shift[0]), float(shift[1]))})
             self._boxes.draw_one(part)
+        return part
 
     def _lay(self, alone: Target, polygons: Sequence[Matrix], box: Box, whole: Target) -> None:
         """Lay what is within the first polygon, and within none of the others, into the picture of them all."""
         sides = [lines_of(polygon) for polygon in polygons[:_MOST_POLYGONS] if len(polygon)]
-        ends = np.cumsum([0, *(len(each) for each in sides)])
+        inside, edge = polygon_tiles(sides, box)
         whole.bind(box)
         alone.texture.bind(0)
-        uniforms: dict[str, Uniform] = {"u_target_size_px": whole.size_px, "u_source": 0, "u_polygon_count": len(sides)}
-        uniforms["u_sides"] = np.pad(np.concatenate(sides), ((0, 0), (0, 1)))[:_MOST_SIDES]
-        uniforms["u_polygons"] = np.array([(first, last, 0, 0) for first, last in pairwise(ends)], np.float64)
-        self._paste[_TABLES].use(uniforms)
-        self._boxes.draw_one(box)
+        uniforms: dict[str, Uniform] = {"u_target_size_px": whole.size_px, "u_source": 0}
+        if len(inside):
+            self._copy.use(uniforms | {"u_shift": (0.0, 0.0)})
+            self._boxes.draw(inside)
+        if len(edge):
+            ends = np.cumsum([0, *(len(each) for each in sides)])
+            uniforms["u_polygon_count"] = len(sides)
+            uniforms["u_sides"] = np.pad(np.concatenate(sides), ((0, 0), (0, 1)))[:_MOST_SIDES]
+            uniforms["u_polygons"] = np.array([(first, last, 0, 0) for first, last in pairwise(ends)], np.float64)
+            self._paste[_TABLES].use(uniforms)
+            self._boxes.draw(edge)
 
     def outlined(self, cast: ShadowCast, matte: PlacedMatte, canvas_from_plane: Matrix) -> Texels:
         """Return the whole shadow on its receiver in few texels, to see how long it is."""

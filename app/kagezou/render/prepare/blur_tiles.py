@@ -9,7 +9,7 @@ from kagezou.geometry.box import Box
 from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.shadow_tiles import TILE_PX, Boxes, runs_of
 
-MANY_TEXELS = 1 << 15
+MANY_TEXELS = 1 << 13
 """Below this many, finding tiles costs more than it saves."""
 
 Mask = NDArray[np.bool_]
@@ -34,18 +34,16 @@ class BlurTiles:
     corners: NDArray[np.intp]
 
 
-def blur_tiles(strip: Strip, shadow: NDArray[np.float32]) -> tuple[BlurTiles, BlurTiles]:
+def blur_tiles(strip: Strip, texels: NDArray[np.float32]) -> tuple[BlurTiles, BlurTiles]:
     """Return the tiles of a strip's blur across the contact line, and then along it; elsewhere there is no shadow.
 
     Parameters
     ----------
     strip
         Where the blur is to be known.
-    shadow
-        (H, W): the atlas before the blur.
+    texels
+        (h, w): what it holds before the blur.
     """
-    box = strip.box
-    texels = shadow[box.top : box.bottom, box.left : box.right]
     some, gaps = _occupied(texels > 0, beyond=False), _occupied(texels < 1, beyond=True)
     reach = -(-int(np.ceil(strip.band.reach_texels)) // TILE_PX)
     some, gaps = _widened(some, reach, 0), ~_eroded(~gaps, reach, 0)
