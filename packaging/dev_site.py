@@ -90,6 +90,7 @@ def _scripts_named(text: str) -> str:
 
 def build(out: Path) -> None:
     """Make the website anew; subprocess.CalledProcessError where a page or a link is broken."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     sources = out.with_name(f"{out.name}-pages")
     for folder in (out, sources):
         shutil.rmtree(folder, ignore_errors=True)

@@ -19,6 +19,7 @@ from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
 from kagezou.contexts import avoid_dead_compositor, has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
+from kagezou.io.files.crash_reports import watching_for_fatal_ends
 from kagezou.own_process import ran_as_child
 
 if TYPE_CHECKING:  # neither is needed to open the window
@@ -46,6 +47,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Problem as problem:
         tell(str(problem))
         return problem.exit_code
+    with watching_for_fatal_ends(words):
+        return _opened(words)
+
+
+def _opened(words: Sequence[str]) -> int:
+    """Go through the door that the words are for."""
     if not words:
         return open_window(None)
     if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):

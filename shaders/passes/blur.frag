@@ -1,18 +1,21 @@
 #version 330 core
-// One direction of a Gaussian in a band of a receiver; the width is that of the row it is summed up for (spec 3).
-// ALONG_V sums along v, across the contact line, and goes first: all texels of a row have one width, so that the second
-// direction may take its result as it is.
+// One direction of a Gaussian in bands of a receiver; the width is that of the row it is summed up for (spec 3).
+// Switches:
+//   ALONG_V   sums along v, across the contact line, and goes first: all texels of a row have one width, so that the
+//             second direction may take its result as it is
+//   STRIPS    how many bands there may be
 
 #include "passes/blur_width.glsl"
 
-// REACH: how many texels are summed up on either side.
+flat in int v_strip;
 
 uniform sampler2D u_source;
-uniform vec4 u_band;           // first and last texel of the band in x and y: x0, y0, x1, y1
-uniform float u_first_v_px;    // v at the lower border of the row u_first_row
-uniform float u_first_row;
-uniform float u_texel_px;
-uniform float u_least_sigma;   // texels
+uniform vec4 u_strips[STRIPS];   // v at the lower border of the band's first row, that row, px of a texel; and what
+                                 // texels and their spline blur besides, texels squared
+uniform vec4 u_ranges[STRIPS];   // first and last texel that may hold anything: x0, y0, x1, y1
+
+const float LEAST_VARIANCE = 0.09;
+const float REACH_SIGMAS = 3.2;
 
 out float o_value;
 
@@ -22,35 +25,33 @@ const ivec2 STEP = ivec2(0, 1);
 const ivec2 STEP = ivec2(1, 0);
 #endif
 
-// A band is empty at its borders, so that going on with them is the same as finding nothing beyond.
-float value_at(ivec2 texel, ivec4 band) {
-#ifdef ALONG_V
-    texel.y = clamp(texel.y, band.y, band.w);
-#else
-    texel.x = clamp(texel.x, band.x, band.z);
-#endif
-    return texelFetch(u_source, texel, 0).r;
-}
-
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
-    ivec4 band = ivec4(u_band);
-    float v = u_first_v_px + (gl_FragCoord.y - u_first_row) * u_texel_px;
-    float sigma = sigma_at(v) / u_texel_px;
-    // Texels are means over their own width, and a cubic spline will widen them again: 1/12 and 1/3 of a texel squared.
-    float variance = max(sigma * sigma - 5.0 / 12.0, u_least_sigma * u_least_sigma);
+    vec4 strip = u_strips[v_strip];
+    ivec4 range = ivec4(u_ranges[v_strip]);
+    float sigma = sigma_at(strip.x + (gl_FragCoord.y - strip.y) * strip.z) / strip.z;
+    float variance = max(sigma * sigma - strip.w, LEAST_VARIANCE);
+    int reach = int(ceil(REACH_SIGMAS * sqrt(variance)));
+#ifdef ALONG_V
+    int first = max(here.y - reach, range.y) - here.y;
+    int last = min(here.y + reach, range.w) - here.y;
+#else
+    int first = max(here.x - reach, range.x) - here.x;
+    int last = min(here.x + reach, range.z) - here.x;
+#endif
     // The weights exp(-i²/2σ²) one from the other: their ratios are again a Gaussian's, with one constant ratio.
-    float weight = 1.0;
-    float ratio = exp(-0.5 / variance);
-    float change = ratio * ratio;
-    float sum = value_at(here, band);
-    float weights = 1.0;
-    for (int i = 1; i <= REACH; ++i) {
+    float start = float(first);
+    float weight = exp(-0.5 * start * start / variance);
+    float ratio = exp(-(start + 0.5) / variance);
+    float change = exp(-1.0 / variance);
+    float sum = 0.0;
+    for (int i = first; i <= last; ++i) {
+        sum += weight * texelFetch(u_source, here + STEP * i, 0).r;
         weight *= ratio;
         ratio *= change;
-        sum += weight * (value_at(here - STEP * i, band) + value_at(here + STEP * i, band));
-        weights += 2.0 * weight;
     }
-    // Where the shadow ends before the Gaussian does, only the shadow's part of it has been summed up.
-    o_value = sum / max(weights, sqrt(6.2831853 * variance));
+    // Of a narrow Gaussian the samples do not add up to its integral.
+    float next = exp(-0.5 / variance);
+    float samples = 1.0 + 2.0 * (next + pow(next, 4.0) + pow(next, 9.0));
+    o_value = sum / max(samples, sqrt(6.2831853 * variance));
 }

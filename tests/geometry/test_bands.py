@@ -107,9 +107,17 @@ def test_no_band_is_coarser_than_its_blur_allows(amount: float, distance: float)
         if band.level > 0:
             assert blur.sigma_at(inner) >= 0.999 * TEXELS_A_SIGMA * band.texel_px
             assert inner >= 0.999 * TEXELS_A_DISTANCE * band.texel_px
-            assert outer <= 2.001 * inner
         assert not inner < distance < outer
         assert (band.needed.left % band.texel_px, band.needed.low % band.texel_px) == (0.0, 0.0)
+
+
+@given(st.floats(1.0, 500.0), st.floats(1.0, 5000.0))
+def test_bands_of_one_level_are_one_but_where_the_blur_stops_growing(amount: float, distance: float) -> None:
+    for side in (-1, 1):
+        bands = bands_of(Blur(amount, distance), Extent(-200.0, -600.0, 300.0, 400.0))
+        own = sorted((inner_and_outer(band)[1], band.level) for band in bands if band.core.high * side > 0)
+        for (end, level), (_, following) in pairwise(own):
+            assert level != following or end == distance
 
 
 def test_the_side_without_shadow_is_left_alone_where_no_blur_reaches_over() -> None:

@@ -12,10 +12,10 @@ from math import ceil, floor, hypot, inf, log2, pi, sqrt
 FINEST_SIGMA_PX = 1.25
 """The smallest blur, in px of the receiver."""
 
-TEXELS_A_SIGMA = 2.5
+TEXELS_A_SIGMA = 1.25
 """The narrowest blur of a band, in its texels."""
 
-TEXELS_A_DISTANCE = 8.0
+TEXELS_A_DISTANCE = 16.0
 """How many texels a band is away from the contact line, as a width that grows fast bends the blur over as little."""
 
 LARGEST_TEXEL_PX = 8.0
@@ -147,7 +147,7 @@ def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
     # Nothing bends an even blur over: where it is wide, still larger texels will do.
     largest = min(max(LARGEST_TEXEL_PX, sigma / 4), 2 * LARGEST_TEXEL_PX)
     core = (shadow.low - grown, shadow.high + grown)
-    return (_band(shadow, core, sigma, grown, _texel(shadow, sigma, largest)),)
+    return (_band(shadow, core, sigma, grown, _level(shadow, _texel(shadow, sigma, largest))),)
 
 
 def _texel(shadow: Extent, sigma_px: float, largest_px: float = LARGEST_TEXEL_PX) -> float:
@@ -177,16 +177,27 @@ def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
     farthest = _farthest(blur, outer, grown)
     if farthest <= 0 or blur.sigma_at(farthest) <= SHARP_SIGMA_PX:
         return
-    low = max(blur.distance_of(SHARP_SIGMA_PX), inner - grown)
+    first = max(blur.distance_of(SHARP_SIGMA_PX), inner - grown)
+    for low, high, level in _cores(blur, shadow, first, farthest):
+        core = (low, high) if side > 0 else (-high, -low)
+        widest = blur.sigma_at(high)
+        yield _band(shadow, core, widest, _growth(blur, shadow, widest), level)
+
+
+def _cores(blur: Blur, shadow: Extent, first: float, farthest: float) -> Iterator[tuple[float, float, int]]:
+    """Yield from which distance to which, and the level there; one after the other of the same level are one."""
+    low, start, level = first, first, -1
     while low < farthest:
         high = min(max(2 * low, FIRST_PX), farthest)
         # The width stops growing all at once.
         high = blur.distance_px if low < blur.distance_px < high else high
-        core = (low, high) if side > 0 else (-high, -low)
-        widest = blur.sigma_at(high)
-        texel = min(_texel(shadow, blur.sigma_at(low)), low / TEXELS_A_DISTANCE)
-        yield _band(shadow, core, widest, _growth(blur, shadow, widest), texel)
-        low = high
+        own = _level(shadow, min(_texel(shadow, blur.sigma_at(low)), low / TEXELS_A_DISTANCE))
+        if level >= 0 and (level != own or low == blur.distance_px):
+            yield start, low, level
+            start = low
+        low, level = high, own
+    if level >= 0:
+        yield start, low, level
 
 
 def _farthest(blur: Blur, outer: float, grown: float) -> float:
@@ -197,14 +208,20 @@ def _farthest(blur: Blur, outer: float, grown: float) -> float:
     return farthest
 
 
-def _band(shadow: Extent, core: tuple[float, float], widest: float, grown: float, largest_texel_px: float) -> Band:
+def _level(shadow: Extent, largest_texel_px: float) -> int:
+    """Return the level of the largest texels up to a size, px.
+
+    A shadow that runs very far, under a low light, is blurred on coarser texels all the same.
+    """
+    size = max(shadow.right - shadow.left, shadow.high - shadow.low, 1.0)
+    return max(floor(log2(max(largest_texel_px, 1.0))), ceil(log2(size / MOST_TEXELS)))
+
+
+def _band(shadow: Extent, core: tuple[float, float], widest: float, grown: float, level: int) -> Band:
     low, high = core
     # Nothing is summed up from beyond the shadow, however wide the blur.
     across, along = shadow.high - shadow.low, shadow.right - shadow.left
     reach = min(REACH_SIGMAS * widest, max(across, along) + grown)
-    # A shadow that runs very far, under a low light, is blurred on coarser texels all the same.
-    size = max(along, across, 1.0)
-    level = max(floor(log2(max(largest_texel_px, 1.0))), ceil(log2(size / MOST_TEXELS)))
     texel = 2.0**level
     margin = (BICUBIC_TEXELS + 1) * texel
     seen = Extent(shadow.left - grown, low, shadow.right + grown, high)

@@ -42,6 +42,23 @@ def test_coarse_texels_count_for_their_area() -> None:
     assert level == pytest.approx(0.5 - (grown - 30.0) / 16, abs=0.004)
 
 
+def test_where_tiles_with_an_edge_are_known_the_rest_need_not_be_asked() -> None:
+    sharp, blurred = disc_and_blurred(200, 60.0, 4.0)
+    rows, counts = np.linspace(0.5, 1.5, 200 - 2 * MARGIN), np.ones((200 - 2 * MARGIN, 200 - 2 * MARGIN), np.bool_)
+    counts[60:90, 20:120] = False
+    corners = [
+        (x, y)
+        for y in range(-4, 200, 8)
+        for x in range(-4, 200, 8)
+        if np.ptp(blurred[max(y, 0) : y + 8, max(x, 0) : x + 8]) > 0
+    ]
+    assert len(corners) < 400
+    whole = Counted(sharp, blurred, rows, MARGIN, counts)
+    in_tiles = Counted(sharp, blurred, rows, MARGIN, counts, np.array(corners))
+    assert area_preserving_level([in_tiles]) == pytest.approx(area_preserving_level([whole]), abs=1e-5)
+    assert in_tiles.area < 0.8 * whole.area
+
+
 def test_no_shadow_has_a_level_too() -> None:
     empty = np.zeros((20, 20), np.float32)
     assert area_preserving_level([Counted(empty, empty, np.ones(16), MARGIN)]) == 0.5

@@ -11,13 +11,18 @@ from hypothesis import strategies as st
 from kagezou.geometry.bands import FINEST_SIGMA_PX, Blur, Extent, bands_of
 from kagezou.geometry.box import Box
 from kagezou.render.prepare.band_atlas import Strip, laid_out
-from kagezou.render.prepare.outline_tiles import Reach, SeenChart, outline_tiles
+from kagezou.render.prepare.outline_tiles import Reach, SeenChart, ShownTiles, outline_tiles
 
 BOX = Box(3, 5, 92, 77)
 SHADOW = Extent(10.0, -30.0, 80.0, 150.0)
 EVEN, WIDENING = Blur(9.0, 0.0), Blur(14.0, 60.0)
 
 Held = Sequence[tuple[Strip, np.ndarray]]
+
+
+def found(tiles: ShownTiles) -> tuple[np.ndarray, np.ndarray]:
+    """Return what is full, and what has to be looked at."""
+    return tiles.full, np.concatenate([tiles.outline, tiles.joined])
 
 
 def strips_of(blur: Blur, seed: int) -> Held:
@@ -122,7 +127,7 @@ def test_no_tile_is_called_full_or_empty_that_is_not(
 ) -> None:
     held = strips_of(blur, seed)
     look = SeenChart(held, plane_from_canvas)
-    full, outline = outline_tiles([look], reach, blur, BOX)
+    full, outline = found(outline_tiles([look], reach, blur, BOX))
     empty = empty_boxes(full, outline)
     for boxes, is_full in ((full, True), (empty, False)):
         if not len(boxes):
@@ -141,7 +146,7 @@ def test_near_a_seam_a_tile_is_full_or_empty_only_if_both_looks_agree(
     mine, theirs = strips_of(EVEN, seed), strips_of(EVEN, seed + 1)
     seam = np.random.default_rng(seed).uniform((0, -40), (90, 140), (2, 2))
     looks = [SeenChart(mine, own), SeenChart(theirs, other, seam, reach_px)]
-    full, outline = outline_tiles(looks, Reach(0.5, 0.5), EVEN, BOX)
+    full, outline = found(outline_tiles(looks, Reach(0.5, 0.5), EVEN, BOX))
     for boxes, is_full in ((full, True), (empty_boxes(full, outline), False)):
         if not len(boxes):
             continue
@@ -166,7 +171,7 @@ SEEN_AS_IT_IS = np.eye(3)
 
 
 def test_what_is_wholly_in_shadow_and_far_from_the_contact_line_needs_no_look() -> None:
-    full, outline = outline_tiles([SeenChart(a_block(WIDENING), SEEN_AS_IT_IS)], Reach(0.5, 0.5), WIDENING, BOX)
+    full, outline = found(outline_tiles([SeenChart(a_block(WIDENING), SEEN_AS_IT_IS)], Reach(0.5, 0.5), WIDENING, BOX))
     near = WIDENING.distance_of(FINEST_SIGMA_PX)
     assert painted(full)[int(near) + 24 :, 40:60].all()
     assert painted(outline)[BOX.top : int(near), BOX.left :].all(), "along the contact line the sharp shadow is seen"
@@ -174,13 +179,13 @@ def test_what_is_wholly_in_shadow_and_far_from_the_contact_line_needs_no_look() 
 
 def test_what_no_strip_shows_is_empty() -> None:
     beyond = np.array([[1.0, 0, 0], [0, 1.0, 4000.0], [0, 0, 1.0]])
-    full, outline = outline_tiles([SeenChart(a_block(EVEN), beyond)], Reach(0.5, 0.5), EVEN, BOX)
+    full, outline = found(outline_tiles([SeenChart(a_block(EVEN), beyond)], Reach(0.5, 0.5), EVEN, BOX))
     assert len(full) == len(outline) == 0
 
 
 def test_a_tile_across_the_horizon_may_be_anything() -> None:
     to_horizon = np.array([[1.0, 0, 0], [0, 1.0, 0], [0.0, 1.0, -40.0]])
-    _, outline = outline_tiles([SeenChart(a_block(EVEN), to_horizon)], Reach(0.5, 0.5), EVEN, BOX)
+    _, outline = found(outline_tiles([SeenChart(a_block(EVEN), to_horizon)], Reach(0.5, 0.5), EVEN, BOX))
     assert painted(outline)[BOX.top : 48, BOX.left :].all()
 
 
@@ -189,11 +194,23 @@ def test_a_look_counts_near_its_seam_alone(reach_px: float) -> None:
     own, other = a_block(EVEN), [(strip, np.zeros_like(values)) for strip, values in a_block(EVEN)]
     seam = np.array([[40.0, 40.0], [60.0, 40.0]])
     looks = [SeenChart(own, SEEN_AS_IT_IS), SeenChart(other, SEEN_AS_IT_IS, seam, reach_px)]
-    alone, _ = outline_tiles(looks[:1], Reach(0.5, 0.5), EVEN, BOX)
-    both, _ = outline_tiles(looks, Reach(0.5, 0.5), EVEN, BOX)
+    alone, _ = found(outline_tiles(looks[:1], Reach(0.5, 0.5), EVEN, BOX))
+    both, _ = found(outline_tiles(looks, Reach(0.5, 0.5), EVEN, BOX))
     lost = (painted(alone) > 0) & (painted(both) == 0)
     rows, columns = np.nonzero(lost)
     assert lost[40, 40:60].all()
     assert 40 - rows.min() <= reach_px + 18
     assert rows.max() - 40 <= reach_px + 18
     assert columns.max() - 60 <= reach_px + 18
+
+
+def test_only_near_a_seam_other_charts_are_asked() -> None:
+    seam = np.array([[40.0, 40.0], [60.0, 40.0]])
+    own, other = a_block(WIDENING), [(strip, np.zeros_like(values)) for strip, values in a_block(WIDENING)]
+    looks = [SeenChart(own, SEEN_AS_IT_IS), SeenChart(other, SEEN_AS_IT_IS, seam, 4.0)]
+    tiles = outline_tiles(looks, Reach(0.5, 0.5), WIDENING, BOX)
+    joined = painted(tiles.joined)
+    assert joined.any()
+    assert (painted(tiles.outline) > 0).any()
+    assert not joined[: 40 - 4 - 16].any()
+    assert not joined[40 + 4 + 16 :].any()

@@ -21,7 +21,8 @@ from kagezou.render.gpu.mattes import MatteTexture, PlacedMatte, drawn_from
 from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Format, Target
-from kagezou.render.passes.filter import Blurred, ShapePass
+from kagezou.render.passes.blur import Blurred
+from kagezou.render.passes.filter import ShapePass
 from kagezou.render.prepare.cast_uniforms import piece_limits
 from kagezou.render.prepare.filter_job import LARGEST_PLANE_PX, BlurView, FilterJob
 from kagezou.render.prepare.moved import MOVED_ALPHA, moved_by, moved_uniforms

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kagezou.render.prepare.shadow_tiles import TILE_PX
+
 SMALL_TEXELS = 6000
 """A blur of fewer texels than this is counted on a finer grid."""
 
@@ -31,6 +33,9 @@ class Counted:
         Texels.
     counts
         (h - 2·margin, w - 2·margin): which of the texels count; None for all.
+    corners
+        (N, 2): x and y of the first texels of those tiles in which the blur is neither nothing nor all; what is beside
+        them has the same area before and after. None where that is not known.
     """
 
     sharp: Floats
@@ -38,11 +43,14 @@ class Counted:
     weights: NDArray[np.float64]
     margin: int
     counts: NDArray[np.bool_] | None = None
+    corners: NDArray[np.intp] | None = None
 
     @property
     def area(self) -> float:
-        """The area of the shadow before, px²."""
+        """The area of the shadow before, px²; where tiles are known, within them."""
         m = self.margin
+        if self.corners is not None:
+            return float((_in_tiles(self, self.sharp, self.corners, 0) * _areas_in_tiles(self, self.corners)).sum())
         inner = self.sharp[m : self.sharp.shape[0] - m, m : self.sharp.shape[1] - m]
         if self.counts is not None:
             inner = inner * self.counts
@@ -106,11 +114,52 @@ def covered_areas(band: Counted, level: float, finer: int) -> NDArray[np.float64
 
 def _slopes(band: Counted, finer: int) -> _Slopes:
     """Return the places of a band that hold anything: texels, of a small band finer ones."""
+    if finer == 1 and band.corners is not None:
+        return _slopes_in_tiles(band, band.corners)
     middle, reach, areas = _told(band, finer)
     held = middle > 0
     if band.counts is not None:
         held &= np.repeat(np.repeat(band.counts, finer, axis=0), finer, axis=1)
     return _Slopes(middle[held], reach[held], areas[held])
+
+
+def _slopes_in_tiles(band: Counted, corners: NDArray[np.intp]) -> _Slopes:
+    texels = _in_tiles(band, band.blurred, corners, 2)
+    rows = (texels[:, :-2] + 4 * texels[:, 1:-1] + texels[:, 2:]) / np.float32(6)
+    values = (rows[:, :, :-2] + 4 * rows[:, :, 1:-1] + rows[:, :, 2:]) / np.float32(6)
+    areas = _areas_in_tiles(band, corners)
+    middle, reach = _middle_and_reach(values)
+    held = (middle > 0) & (areas > 0)
+    return _Slopes(middle[held], reach[held], areas[held])
+
+
+def _in_tiles(band: Counted, texels: Floats, corners: NDArray[np.intp], around: int) -> Floats:
+    """Return the texels of tiles (N, h, w), with so many around them; beyond the band, those at its rim."""
+    steps = np.arange(-around, TILE_PX + around)
+    columns, rows = (
+        np.clip(corners[:, axis, np.newaxis] + steps, 0, band.sharp.shape[1 - axis] - 1) for axis in range(2)
+    )
+    return np.asarray(texels[rows[:, :, np.newaxis], columns[:, np.newaxis, :]])
+
+
+def _areas_in_tiles(band: Counted, corners: NDArray[np.intp]) -> Floats:
+    """Return what area each texel of tiles stands for, (N, h, w)."""
+    m, (height, width) = band.margin, band.sharp.shape
+    areas = np.zeros((height, width), np.float32)
+    areas[m : height - m, m : width - m] = band.weights[:, np.newaxis]
+    if band.counts is not None:
+        areas[m : height - m, m : width - m] *= band.counts
+    columns, rows = (corners[:, axis, np.newaxis] + np.arange(TILE_PX) for axis in range(2))
+    is_within = ((rows >= 0) & (rows < height))[:, :, np.newaxis] & ((columns >= 0) & (columns < width))[:, np.newaxis]
+    return np.asarray(_in_tiles(band, areas, corners, 0) * is_within)
+
+
+def _middle_and_reach(values: Floats) -> tuple[Floats, Floats]:
+    """Return values (..., h, w) without those around them, and half of what they change by each way."""
+    middle = values[..., 1:-1, 1:-1]
+    across = np.abs(values[..., 1:-1, 2:] - values[..., 1:-1, :-2])
+    reach = (across + np.abs(values[..., 2:, 1:-1] - values[..., :-2, 1:-1])) / 4
+    return middle, np.maximum(reach, np.float32(1e-12))
 
 
 def _told(band: Counted, finer: int) -> tuple[Floats, Floats, Floats]:
@@ -121,10 +170,9 @@ def _told(band: Counted, finer: int) -> tuple[Floats, Floats, Floats]:
         rows, columns = (places_of(side, band.margin, finer) for side in band.blurred.shape)
         values = _spline(_spline(band.blurred, rows, 0), columns, 1)
     # One place more on each side, for the slopes; the outline crosses a place half a step either way.
-    middle = values[1:-1, 1:-1]
-    reach = (np.abs(values[1:-1, 2:] - values[1:-1, :-2]) + np.abs(values[2:, 1:-1] - values[:-2, 1:-1])) / 4
+    middle, reach = _middle_and_reach(values)
     areas = np.repeat(band.weights / finer**2, finer).astype(np.float32)
-    return middle, np.maximum(reach, np.float32(1e-12)), np.broadcast_to(areas[:, np.newaxis], middle.shape)
+    return middle, reach, np.broadcast_to(areas[:, np.newaxis], middle.shape)
 
 
 def _at_texels(texels: Floats, margin: int) -> Floats:

@@ -88,33 +88,59 @@ def counted_texels(
         return None
     shown = strip.shown
     columns = np.arange(shown.left + margin, shown.right - margin) + 0.5
-    rows = np.arange(shown.top + margin, shown.bottom - margin) + 0.5
-    x, y = np.meshgrid(columns, rows)
-    texels = np.stack([x, y, np.ones_like(x)])
+    rows = (np.arange(shown.top + margin, shown.bottom - margin) + 0.5)[:, np.newaxis]
+    if chart.number == 0:
+        return ~_within(receivers.unlit, _Forms(columns, rows, job.canvas_from_plane @ strip.plane_from_atlas))
     stretch = np.eye(3)
     stretch[:2, :2] = job.ground_from_blurred
-    if chart.number == 0:
-        places = np.tensordot(job.canvas_from_plane @ strip.plane_from_atlas, texels, axes=1)
-        return ~_within(receivers.unlit, places)
-    places = np.tensordot(stretch @ strip.plane_from_atlas, texels, axes=1)
-    result = np.zeros(x.shape, np.bool_)
+    places = _Forms(columns, rows, stretch @ strip.plane_from_atlas)
+    result = np.zeros(places.shape, np.bool_)
     for sheet in job.development.sheets:
         if sheet.chart == chart.number and sheet.is_looked_up:
-            result |= np.logical_and.reduce(
-                [np.tensordot(line, places, axes=1) >= 0 for line in lines_of(sheet.corners)]
-            )
+            result |= np.logical_and.reduce([places.of(line) >= 0 for line in lines_of(sheet.corners)])
     return result
 
 
-def _within(groups: Sequence[Group], places: Matrix) -> NDArray[np.bool_]:
-    """Return which homogeneous canvas places (3, H, W) lie within any of some groups."""
-    result = np.zeros(places.shape[1:], np.bool_)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Forms:
+    """Linear forms of places, asked for all texels of a grid at once.
+
+    Parameters
+    ----------
+    columns, rows
+        (W,) and (H, 1): the texels' middles.
+    place_from_texel
+        (3, 3).
+    """
+
+    columns: NDArray[np.floating]
+    rows: NDArray[np.floating]
+    place_from_texel: Matrix
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """That of the grid, (H, W)."""
+        return len(self.rows), len(self.columns)
+
+    def of(self, line: Matrix) -> Matrix:
+        """Return line · place of every texel, (H, W)."""
+        a, b, c = line @ self.place_from_texel
+        return np.asarray(a * self.columns + (b * self.rows + c))
+
+
+_W = np.array([0.0, 0.0, 1.0])
+
+
+def _within(groups: Sequence[Group], places: _Forms) -> NDArray[np.bool_]:
+    """Return which homogeneous canvas places lie within any of some groups."""
+    result = np.zeros(places.shape, np.bool_)
     for region in (region for group in groups for region in group.regions):
-        inside = places[2] > 0
+        inside = places.of(_W) > 0
         for line in region.lines:
-            inside &= np.tensordot(line, places, axes=1) >= 0
+            inside &= places.of(line) >= 0
         if region.conic is not None:
-            inside &= np.einsum("ihw,ij,jhw->hw", places, region.conic, places) >= 0
+            coordinates = np.stack([places.of(axis) for axis in np.eye(3)])
+            inside &= np.einsum("ihw,ij,jhw->hw", coordinates, region.conic, coordinates) >= 0
         result |= inside
     return result
 

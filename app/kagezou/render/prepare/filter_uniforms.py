@@ -20,6 +20,9 @@ MAX_BANDS = 48
 MAX_JOINS = 16
 _NONE: frozenset[str] = frozenset()
 
+JOINED = frozenset({"JOINED"})
+"""The switch of ``passes/shape.frag`` for what other charts have near seams."""
+
 Uniforms = dict[str, Uniform]
 
 
@@ -59,7 +62,7 @@ def shape_uniforms(view: BlurView, box: Box, level: float) -> tuple[frozenset[st
     }
     switches = _NONE
     if view.joins:
-        switches |= {"JOINED"}
+        switches |= JOINED
         uniforms |= join_uniforms(view)
     if job.cast.water is not None and job.cast.water.ripples:
         switches |= {"WAVES"}

@@ -1,0 +1,83 @@
+"""The pass that makes a picture of a shadow half as fine, again and again."""
+
+from kagezou.geometry.box import Box
+from kagezou.render.gpu.boxes import Boxes
+from kagezou.render.gpu.program import Variants
+from kagezou.render.gpu.targets import Format, Target
+from kagezou.render.prepare.shadow_levels import ShadowLevels, halved
+
+_ALONG_V = frozenset({"ALONG_V"})
+
+
+class HalvingPass:
+    """Fills the coarser levels of a shadow from the finest, each from the one before."""
+
+    def __init__(self, boxes: Boxes) -> None:
+        self._boxes = boxes
+        self._programs = Variants("common/box.vert", "passes/halve.frag")
+        self._aside: Target | None = None
+
+    def fill(self, shadow: Target, levels: ShadowLevels, held: Box) -> None:
+        """Fill the levels but the finest; they are empty before.
+
+        Parameters
+        ----------
+        shadow, levels
+            What holds them, and how.
+        held
+            Where the finest may hold anything, px of the target.
+        """
+        aside = self._aside_of(levels)
+        for level in range(levels.finest, levels.coarsest):
+            source, goal = levels.box_of(level), levels.box_of(level + 1)
+            part = halved(held).intersection(Box(0, 0, goal.width, goal.height))
+            if part is None:
+                return
+            across = Box(part.left, held.top, part.right, held.bottom)
+            here = (source.left, source.top)
+            self._halve((shadow, here), (aside, (0, 0)), across, along_v=False, known=(held.left, held.right))
+            there = (goal.left, goal.top)
+            self._halve((aside, (0, 0)), (shadow, there), part, along_v=True, known=(held.top, held.bottom))
+            held = part
+
+    def close(self) -> None:
+        """Give the memory back."""
+        self._programs.close()
+        if self._aside is not None:
+            self._aside.close()
+
+    def _halve(
+        self,
+        source: tuple[Target, tuple[int, int]],
+        goal: tuple[Target, tuple[int, int]],
+        part: Box,
+        *,
+        along_v: bool,
+        known: tuple[int, int],
+    ) -> None:
+        """Halve along one axis; ``source`` and ``goal`` are targets and where a level begins in them."""
+        (read, corner), (drawn, first) = source, goal
+        box = part.moved(*first)
+        drawn.bind(box)
+        read.texture.bind(0)
+        self._programs[_ALONG_V if along_v else frozenset()].use(
+            {
+                "u_target_size_px": drawn.size_px,
+                "u_source": 0,
+                "u_corner": (float(corner[0]), float(corner[1])),
+                "u_first": (float(first[0]), float(first[1])),
+                "u_known": (float(known[0]), float(known[1] - 1)),
+            }
+        )
+        self._boxes.draw_one(box)
+
+    def _aside_of(self, levels: ShadowLevels) -> Target:
+        """Return a target with room for what is half as wide."""
+        width, height = max(levels.width // 2, 1), levels.height
+        old = self._aside
+        if old is None or old.box.width < width or old.box.height < height:
+            if old is not None:
+                width, height = max(width, old.box.width), max(height, old.box.height)
+                old.close()
+            self._aside = old = Target(width, height, Format.ALPHA16)
+        return old
