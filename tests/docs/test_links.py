@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
+from PySide6.QtGui import QImageReader
 
 from dev_page_commands import ROOT, pages
 from kagezou.ui.panels.filter_pictures import EXAMPLES, picture_of
@@ -60,6 +61,11 @@ def test_pictures_are_light() -> None:
     assert sizes.pop(MOVING) <= MOST_MOVING_BYTES
     assert [path for path, size in sizes.items() if size > MOST_BYTES] == []
     assert sum(sizes.values()) <= MOST_TOGETHER_BYTES
+
+
+def test_the_program_itself_can_show_every_picture() -> None:
+    """The manual in the window reads them by Qt, which has a plugin for each format."""
+    assert [path for path in PICTURES.rglob("*.*") if QImageReader(str(path)).read().isNull()] == []
 
 
 def test_the_readme_is_short_and_has_the_two_commands() -> None:
