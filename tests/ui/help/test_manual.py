@@ -136,7 +136,8 @@ def test_links_lead_to_pages_and_back(manual: Manual) -> None:
 
 
 def test_the_list_opens_pages(qtbot: QtBot, manual: Manual) -> None:
-    item = manual.contents.item(3)
+    (item,) = manual.contents.findItems("Light", Qt.MatchFlag.MatchExactly)
+    manual.contents.scrollToItem(item)
     at = manual.contents.visualItemRect(item).center()
     qtbot.mouseClick(manual.contents.viewport(), Qt.MouseButton.LeftButton, pos=at)
     assert manual.pages.page == "light"
