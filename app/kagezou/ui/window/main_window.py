@@ -99,9 +99,10 @@ class MainWindow(QMainWindow):
         self.show_page()
 
     def show_title(self) -> None:
-        """Show the project's name, and whether it is saved."""
-        open_project = self.parts.open_project
-        self.setWindowTitle(f"{self.parts.project.project_name}[*] — Kagezou")
+        """Show the project's name, and whether it is saved or being saved."""
+        open_project, project = self.parts.open_project, self.parts.project
+        under_way = self.tr("(saving…)") if project.saving.is_running else ""
+        self.setWindowTitle(f"{project.project_name}[*] {under_way}".rstrip() + " — Kagezou")
         self.setWindowModified(not open_project.is_saved)
         self.setWindowFilePath(str(open_project.path) if open_project.path else "")
 
