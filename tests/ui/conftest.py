@@ -18,7 +18,7 @@ from kagezou.io.images.writing import write_rgba
 from kagezou.ui.application import make_application
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
-from kagezou.ui.project import loading
+from kagezou.ui.project import loading, saving
 from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
 from kagezou.ui.project.open_project import OpenProject
@@ -79,8 +79,9 @@ def english(qapp: QApplication) -> Iterator[Language]:
 
 @pytest.fixture(autouse=True)
 def patient(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Loads are waited for, so that what comes after them may look at once; tests of loading itself are impatient."""
+    """Loads and saves are waited for, so that what comes after may look at once; tests of them are impatient."""
     monkeypatch.setattr(loading, "PATIENCE_S", 30.0)
+    monkeypatch.setattr(saving, "PATIENCE_S", 30.0)
     monkeypatch.setattr(reading, "PATIENCE_S", 30.0)
 
 

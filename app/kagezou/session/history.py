@@ -37,9 +37,9 @@ class History:
         """How many steps were made since the document was last saved."""
         return self.made - self._saved_at
 
-    def mark_saved(self) -> None:
-        """Say that what is seen now is on disk."""
-        self._saved_at = self.made
+    def mark_saved(self, made: int) -> None:
+        """Say that what was seen after so many steps is on disk."""
+        self._saved_at = made
 
     @property
     def undo_name(self) -> str | None:

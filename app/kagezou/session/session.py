@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from kagezou.document.address import Address
@@ -25,6 +25,22 @@ LayerRefusal = Callable[[tuple[str, ...]], None]
 """Told the names of locked layers that an edit would have changed; it is not shown then."""
 
 
+@dataclass(frozen=True, slots=True)
+class SavePoint:
+    """A document at the moment when it is to be written.
+
+    Parameters
+    ----------
+    document
+        The document.
+    made
+        How many steps had been made by then.
+    """
+
+    document: Document
+    made: int
+
+
 class Session:
     """One document being worked on. ``changed(before, after)`` is called after every change of state.
 
@@ -39,15 +55,13 @@ class Session:
     """
 
     def __init__(self, document: Document, admit: Admission = lambda _before, _after: None) -> None:
-        layers = document.layers
-        self._state = State(document, layer_id=layers[-1].id if layers else None)
+        self._state = State(document, layer_id=document.layers[-1].id if document.layers else None)
         self._saved = document
-        self._history = History()
+        self._history, self._is_locked = History(), False
         self._gesture: Gesture | None = None
         self._listeners: list[Listener] = []
         self.told_of_refusals: list[Refusal] = []
         self.told_of_locked: list[LayerRefusal] = []
-        self._is_locked = False
         self._admit = admit
 
     @property
@@ -99,10 +113,16 @@ class Session:
         self._finish_gesture()
         self._is_locked = locked
 
-    def mark_saved(self) -> None:
-        """Say that the document now is on disk."""
-        self._saved = self._state.document
-        self._history.mark_saved()
+    @property
+    def save_point(self) -> SavePoint:
+        """The document now, to be written; what is done meanwhile comes after it."""
+        return SavePoint(self._state.document, self._history.made)
+
+    def mark_saved(self, point: SavePoint | None = None) -> None:
+        """Say that the document of a save point, or the one now, is on disk."""
+        point = point or self.save_point
+        self._saved = point.document
+        self._history.mark_saved(point.made)
         self._tell(self._state)
 
     def edit(self, name: str, document: Document) -> None:
@@ -170,8 +190,7 @@ class Session:
 
     def go_to(self, frame: int) -> None:
         """Look at a frame, kept within the cut."""
-        length = self.document.canvas.length_frames
-        self._show(replace(self._state, frame=min(max(frame, 1), length)))
+        self._show(replace(self._state, frame=min(max(frame, 1), self.document.canvas.length_frames)))
 
     def select(self, layer_id: str | None, selection: tuple[Address, ...] = (), others: Ids = NOBODY) -> None:
         """Work on a layer, edit others with it, and select properties."""

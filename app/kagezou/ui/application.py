@@ -16,6 +16,7 @@ from kagezou.ui.project.demo import MakeDemo
 from kagezou.ui.project.keepsakes import left_behind
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recovery import RecoveryDialog
+from kagezou.ui.project.saving import is_saved_by_now
 from kagezou.ui.system import theme
 from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.ending import EndSignals
@@ -181,6 +182,9 @@ class Application:
         """Change the language: the window is made anew, the open project stays."""
         if self.window.parts.exporting.is_running:
             self.window.parts.exporting.say_running()
+            return
+        saving = self.window.parts.project.saving
+        if not is_saved_by_now(saving, self.window) and saving.is_running:
             return
         self._settings.language = code
         self._language.speak(code)

@@ -25,6 +25,7 @@ from kagezou.ui.project.load import AnyLoad
 from kagezou.ui.project.loading import Loading
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.project_lock import ProjectLock
+from kagezou.ui.project.saving import LAST_WAIT_S, Saving, is_saved_by_now
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.waiting import waiting
 from kagezou.ui.system.words import translated
@@ -58,6 +59,7 @@ class ProjectActions(QObject):
         super().__init__()
         self._open_project, self.dialogs, self._bar, self._settings = open_project, dialogs, bar, settings
         self.loading = Loading(self._say, lambda: _is_free(open_project, self.loading.window()))
+        self.saving = _told_of(Saving(open_project), self._saved, self._say)
         self._asking, self._lock = Asking(self.loading, dialogs, self._load), ProjectLock()
         open_project.path_changed.connect(lambda: self._lock.hold(open_project.path))
         self._lock.hold(open_project.path)
@@ -93,17 +95,18 @@ class ProjectActions(QObject):
         return self._load(_then(self._open_project.open(path), lambda: self._opened(path)))
 
     def save(self) -> bool:
-        """Save where it was saved before, or ask; false if it is not saved after that."""
-        path = self._open_project.path
+        """Save where it was saved before, or ask; false if it is neither saved after that nor being saved."""
+        path = self.saving.path or self._open_project.path
         if path is None:
             return self.save_as()
-        answer = _about_changes(path, self._open_project, self.dialogs)
+        # What is being written is only written anew: nobody else changed it meanwhile.
+        answer = Changed.REPLACE if self.saving.path else _about_changes(path, self._open_project, self.dialogs)
         if answer is Changed.SAVE_AS:
             return self.save_as(next_version(path).name)
         return answer is Changed.REPLACE and self._save_to(path)
 
     def save_increment(self) -> bool:
-        """Save as the next version beside the old one; false if it is not saved after that."""
+        """Save as the next version beside the old one; false as for ``save``."""
         path = self._open_project.path
         return self._save_to(next_version(path)) if path else self.save_as()
 
@@ -115,14 +118,13 @@ class ProjectActions(QObject):
         return self._try(partial(self._open_project.recover, work))
 
     def put_away(self) -> None:
-        """Leave the project to others."""
+        """Leave the project to others, once it is written."""
+        self.saving.wait(LAST_WAIT_S)
         self._lock.release()
 
     def save_as(self, suggested: str = "") -> bool:
         """Ask where to save; without a suggestion the project's own name is one."""
-        path = self._open_project.path
-        own = path.name if path else self.project_name + PROJECT_SUFFIX
-        chosen = self.dialogs.project_to_save(suggested or own)
+        chosen = self.dialogs.project_to_save(suggested or self.project_name + PROJECT_SUFFIX)
         return self._save_to(chosen) if chosen else False
 
     def import_folder(self) -> None:
@@ -178,10 +180,11 @@ class ProjectActions(QObject):
 
     def may_leave(self) -> bool:
         """Whether the project may be put away: it is saved, saved now, or given up."""
-        if self._open_project.is_saved:
+        if is_saved_by_now(self.saving, self.loading.window()):
             return True
-        answer = self.dialogs.unsaved(self.project_name)
-        return self.save() if answer is Answer.SAVE else answer is Answer.DISCARD
+        answer = Answer.CANCEL if self.saving.is_running else self.dialogs.unsaved(self.project_name)
+        is_saved = answer is Answer.SAVE and self.save() and is_saved_by_now(self.saving, self.loading.window())
+        return is_saved or answer is Answer.DISCARD
 
     @property
     def project_name(self) -> str:
@@ -189,18 +192,18 @@ class ProjectActions(QObject):
         return self._open_project.path.stem if self._open_project.path else self.tr("Untitled")
 
     def _save_to(self, path: Path) -> bool:
-        saved = self._try(lambda: self._open_project.save(path))
-        if saved and self._open_project.path:
-            self._remember(self._open_project.path)
-            self.done.emit(self.tr("Saved %1").replace("%1", self._open_project.path.name))
-        return saved
+        with waiting():
+            return self.saving.start(path)
+
+    def _saved(self, path: Path) -> None:
+        self._bar.withdraw(_KEY)
+        self._remember(path)
+        self.done.emit(self.tr("Saved %1").replace("%1", path.name))
 
     def _opened(self, path: Path) -> None:
         """Remember a project, and say of one that is new here which files of other folders it reads."""
         if path.absolute() not in self._settings.recent:
-            note = note_on_outside_files(self._open_project.bridge.document, path)
-            if note is not None:
-                self._open_project.noted.emit(note)
+            _note_outside_files(self._open_project, path)
         self._remember(path)
 
     def _remember(self, path: Path) -> None:
@@ -231,6 +234,18 @@ class ProjectActions(QObject):
 
     def _say(self, problem: Problem) -> None:
         self._bar.say(_KEY, translated(problem))
+
+
+def _told_of(saving: Saving, saved: Callable[[Path], None], failed: Callable[[Problem], None]) -> Saving:
+    saving.saved.connect(saved)
+    saving.failed.connect(failed)
+    return saving
+
+
+def _note_outside_files(open_project: OpenProject, path: Path) -> None:
+    note = note_on_outside_files(open_project.bridge.document, path)
+    if note is not None:
+        open_project.noted.emit(note)
 
 
 def _nothing_in(paths: Sequence[Path]) -> str:

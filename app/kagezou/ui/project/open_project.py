@@ -32,7 +32,7 @@ from kagezou.io.sheets.timesheet import Timesheet
 from kagezou.io.sheets.xdts_writing import write_xdts
 from kagezou.message import Message
 from kagezou.scene.stances import forget_stances
-from kagezou.session.session import Session
+from kagezou.session.session import SavePoint, Session
 from kagezou.ui.project.dropped_files import PROJECT_SUFFIX
 from kagezou.ui.project.load import AnyLoad, Load
 from kagezou.ui.project.reading_ahead import played_backgrounds, played_drawings, read_ahead
@@ -118,12 +118,14 @@ class OpenProject(QObject):
         return path == self._path and state_of(path) not in (None, self._seen)
 
     def save(self, path: Path) -> None:
-        """Write the project; a name without suffix gets one."""
-        whole = path if path.suffix.lower() == PROJECT_SUFFIX else path.with_name(path.name + PROJECT_SUFFIX)
-        session = self.bridge.session
-        self._seen = project_file.save(session.document, whole)
-        self._path = whole
-        session.mark_saved()
+        """Write the project, and wait for it; a name without suffix gets one."""
+        whole, point = whole_name(path), self.bridge.session.save_point
+        self.take_saved(point, whole, project_file.save(point.document, whole))
+
+    def take_saved(self, point: SavePoint, path: Path, state: FileState) -> None:
+        """Take for saved what was written to a project's file, which is like this now."""
+        self._path, self._seen = path, state
+        self.bridge.session.mark_saved(point)
         self.path_changed.emit()
 
     def bring(self, sources: tuple[CharacterSource, ...]) -> AnyLoad:
@@ -239,6 +241,11 @@ class OpenProject(QObject):
         forget_stances()
         self.bridge.open(session)
         self.path_changed.emit()
+
+
+def whole_name(path: Path) -> Path:
+    """Return the name of a project's file; a name without suffix gets one."""
+    return path if path.suffix.lower() == PROJECT_SUFFIX else path.with_name(path.name + PROJECT_SUFFIX)
 
 
 def _session(document: Document) -> Session:

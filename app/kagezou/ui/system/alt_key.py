@@ -1,6 +1,6 @@
 """A second way to hold Alt while dragging: window managers keep Alt-drags for moving windows."""
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QSinglePointEvent
 from PySide6.QtWidgets import QApplication
 
@@ -18,6 +18,9 @@ class AltKey(QObject):
     Only in widgets into which nobody types. Held, it repeats no command; tapped without a drag it is itself.
     """
 
+    pen_left = Signal()
+    """The pen was lifted far from the tablet, or is there no more; only the application is told."""
+
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.is_held = False
@@ -33,6 +36,8 @@ class AltKey(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
+        if kind is QEvent.Type.TabletLeaveProximity:
+            self.pen_left.emit()
         if kind is QEvent.Type.WindowDeactivate:
             # Where the key comes up then, nobody here sees it.
             self.is_held = False

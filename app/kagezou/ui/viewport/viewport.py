@@ -3,7 +3,14 @@
 from functools import partial
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QResizeEvent, QTabletEvent, QWheelEvent
+from PySide6.QtGui import (
+    QKeyEvent,
+    QMouseEvent,
+    QNativeGestureEvent,
+    QResizeEvent,
+    QTabletEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QMenu
 
 from kagezou.io.images.cel_cache import CelCache
@@ -83,7 +90,7 @@ class Viewport(PictureWidget):
         self.overlay.update()
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QNativeGestureEvent) and self._pinch(event):
+        if isinstance(event, QNativeGestureEvent) and _pinched(self.viewpoint, event):
             return True
         if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride and self.keys.wants(event):
             event.accept()
@@ -94,6 +101,13 @@ class Viewport(PictureWidget):
             self.controller.cycle(_TABS[pressed])
             return True
         return super().event(event)
+
+    def let_go(self) -> None:
+        """End what the hand does, as it is: the pen or the window went away, and whatever lifts comes to others."""
+        self._moves.finish()
+        self._panned_from = None
+        self.controller.release()
+        self._show_cursor()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._moves.finish()
@@ -159,13 +173,15 @@ class Viewport(PictureWidget):
                 way = event.position() - self._panned_from
                 self._panned_from = event.position()
                 self.viewpoint.pan(way.x(), way.y())
+            case QEvent.Type.TabletMove if self.controller.is_busy and not event.buttons():
+                # It came back after it had gone in the middle of a drag.
+                self.let_go()
             case QEvent.Type.TabletMove:
                 self.controller.move(report) if self.controller.is_busy else self.controller.hover(
                     None if self.picking.is_on else report
                 )
             case QEvent.Type.TabletRelease:
-                self._panned_from = None
-                self.controller.release()
+                self.let_go()
         event.accept()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -210,13 +226,6 @@ class Viewport(PictureWidget):
     def _pick(self, report: PointerReport) -> None:
         self.picking.picked.emit(self.viewpoint.view.canvas_from_view(report.view_px))
 
-    def _pinch(self, event: QNativeGestureEvent) -> bool:
-        if event.gestureType() is not Qt.NativeGestureType.ZoomNativeGesture:
-            return False
-        at = event.position()
-        self.viewpoint.magnify_at((at.x(), at.y()), 1.0 + event.value())
-        return True
-
     def _show_cursor(self) -> None:
         over = self.controller.held or self.controller.handles.find(self.controller.hovered_id)
         if self._panned_from is not None:
@@ -228,3 +237,12 @@ class Viewport(PictureWidget):
         else:
             on_piece = Qt.CursorShape.SizeAllCursor if self.controller.pieces.hovered_id else Qt.CursorShape.ArrowCursor
             self.setCursor(on_piece if over is None else _CURSORS[over.cursor])
+
+
+def _pinched(viewpoint: Viewpoint, event: QNativeGestureEvent) -> bool:
+    """Zoom as two fingers do; false where they do something else."""
+    if event.gestureType() is not Qt.NativeGestureType.ZoomNativeGesture:
+        return False
+    at = event.position()
+    viewpoint.magnify_at((at.x(), at.y()), 1.0 + event.value())
+    return True

@@ -23,6 +23,7 @@ from kagezou.ui.window.wiring.first_cut import connect_first_cut
 from kagezou.ui.window.wiring.handles import connect_handles
 from kagezou.ui.window.wiring.help import connect_help
 from kagezou.ui.window.wiring.layers import connect_layers
+from kagezou.ui.window.wiring.lost_pointers import let_go_of_all
 from kagezou.ui.window.wiring.match import connect_match
 from kagezou.ui.window.wiring.preferences import connect_preferences
 from kagezou.ui.window.wiring.project_and_frame import connect_frame, connect_messages, connect_project, connect_view
@@ -95,13 +96,15 @@ class MainWindow(QMainWindow):
         self.help = connect_help(self, self.parts)
         connect_first_cut(self, self.parts, self.docks.layout)
         self.alt_key = AltKey(self)
+        self.alt_key.pen_left.connect(lambda: let_go_of_all(self.parts, self))
         TabKey(self, self.parts.actions["hide_docks"], lambda: not open_project.is_blank)
         self.show_page()
 
     def show_title(self) -> None:
-        """Show the project's name, and whether it is saved."""
-        open_project = self.parts.open_project
-        self.setWindowTitle(f"{self.parts.project.project_name}[*] — Kagezou")
+        """Show the project's name, and whether it is saved or being saved."""
+        open_project, project = self.parts.open_project, self.parts.project
+        under_way = self.tr("(saving…)") if project.saving.is_running else ""
+        self.setWindowTitle(f"{project.project_name}[*] {under_way}".rstrip() + " — Kagezou")
         self.setWindowModified(not open_project.is_saved)
         self.setWindowFilePath(str(open_project.path) if open_project.path else "")
 
@@ -173,6 +176,7 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         if event.type() is QEvent.Type.ActivationChange and not self.isActiveWindow():
             self.parts.space.forget()
+            let_go_of_all(self.parts, self)
         super().changeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

@@ -65,8 +65,8 @@ def connect_project(parts: Parts, verbs: WindowVerbs) -> None:
     parts.panels.layers.add_asked.connect(project.import_folder)
     project.done.connect(parts.status.say)
     project.recent_changed.connect(lambda: _show_recent(parts))
-    parts.open_project.path_changed.connect(verbs.show_title)
-    bridge.saved_changed.connect(verbs.show_title)
+    for changed in (parts.open_project.path_changed, bridge.saved_changed, project.saving.changed):
+        changed.connect(verbs.show_title)
     bridge.document_changed.connect(verbs.show_page)
     bridge.document_changed.connect(lambda: _begin_with_style(parts))
     bridge.history_changed.connect(lambda: parts.menus.show_steps(session().undo_name, session().redo_name))
