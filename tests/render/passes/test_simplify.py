@@ -299,6 +299,17 @@ class TestWork:
         assert np.array_equal(coverage(fresh, base), first)
         fresh.close()
 
+    def test_while_only_the_filter_changes_the_shadow_is_the_one_that_would_be_cast(
+        self, renderer: Renderer, figure: Path
+    ) -> None:
+        steps = ((18.0, 60.0), (22.0, 60.0), (22.0, 90.0), (9.0, 400.0), (40.0, 0.0))
+        kept = [coverage(renderer, simplified(figure, "plain", *step)) for step in steps]
+        other = Renderer(CelCache())
+        for step, known in zip(steps, kept, strict=True):
+            coverage(other, simplified(figure, "sun on a folded card", *step))
+            assert np.array_equal(coverage(other, simplified(figure, "plain", *step)), known)
+        other.close()
+
 
 class TestShape:
     def test_nothing_lies_beyond_the_box_of_the_image(self, renderer: Renderer, figure: Path) -> None:
