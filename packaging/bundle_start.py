@@ -2,7 +2,7 @@
 
 import sys
 
-from kagezou.__main__ import main, window
+from kagezou.__main__ import program, window
 
 # Of the two programs on Windows one has no console.
-sys.exit(window() if sys.executable.lower().endswith("kagezou-window.exe") else main())
+sys.exit(window() if sys.executable.lower().endswith("kagezou-window.exe") else program())

@@ -5,11 +5,18 @@
     python3 packaging/dev.py demo [...]    set up, then render the demo
     python3 packaging/dev.py app [...]     set up, then start the program
     python3 packaging/dev.py test [...]    set up, then lint, types, floors and tests (arguments go to pytest)
+    python3 packaging/dev.py test --thorough    the same with the whole of every sweep (an hour, not minutes)
+    python3 packaging/dev.py endurance     set up, then work in the window for an hour; tells what grows (--minutes)
     python3 packaging/dev.py lint          set up, then lint, types and floors
     python3 packaging/dev.py setup         set up only
     python3 packaging/dev.py hooks         set up, then have git run the checks before every commit
     python3 packaging/dev.py site          set up, then make the manual as a website in build/site
+    python3 packaging/dev.py pictures      set up, then make every picture of the docs anew
     python3 packaging/dev.py translate     set up, then bring the catalogues of translations up to date
+    python3 packaging/dev.py lock          name the exact packages and their hashes anew, in packaging/requirements
+
+What the system lacks is named first; it is installed after a yes at the terminal, with --yes, where CI is set, or by
+root with no terminal to ask at. Python packages come in the locked versions, into .venv alone.
 
 Needs nothing but a Python of the supported range; what is already done is not done again.
 """
@@ -24,8 +31,18 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+import dev_lock
 from dev_display import private_display
-from dev_system import HEADLESS, TESTS, WINDOW, SetupProblem, supply, virtual_environment_support
+from dev_system import (
+    HEADLESS,
+    TESTS,
+    WINDOW,
+    SetupProblem,
+    always,
+    may_install,
+    supply,
+    virtual_environment_support,
+)
 from dev_venv import Environment
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -35,10 +52,12 @@ IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
 """Tests side by side, each process with a screen of its own."""
 SINGLE_THREADS = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 """For processes that share the cores: threads of their own for drawing and sums only get in each other's way."""
+THOROUGH = "--thorough"
 COVERED = ("tests/geometry", "tests/animation")
-VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate", "site")
-PLAIN = ("lint", "setup", "hooks", "translate", "site")
+VERBS = ("demo", "app", "test", "lint", "setup", "hooks", "translate", "site", "pictures", "lock", "endurance")
+PLAIN = ("lint", "setup", "hooks", "translate", "site", "pictures", "lock")
 """Verbs that take no arguments and read the sources alone, but for ``setup``."""
+PICTURES = ("dev_style_pictures.py", "dev_filter_pictures.py", "dev_made_pictures.py", "dev_window_pictures.py")
 CHECKS = (
     ("ruff check", ("-m", "ruff", "check", ".")),
     ("ruff format", ("-m", "ruff", "format", "--check", ".")),
@@ -65,19 +84,20 @@ def has_display(environment: Mapping[str, str]) -> bool:
     return bool(environment.get("DISPLAY") or environment.get("WAYLAND_DISPLAY"))
 
 
-def set_up(verb: str) -> Environment:
-    """Bring system libraries and ``.venv`` to what the verb needs."""
+def set_up(verb: str, *, yes: bool = False) -> Environment:
+    """Bring system libraries and ``.venv`` to what the verb needs; ``yes`` installs without asking."""
+    ask = always if yes or os.environ.get("CI", "") not in ("", "0", "false") else may_install
     environment = Environment(ROOT, sys.version_info[:2])
     extra = "" if verb in ("demo", "app") else "dev"
     support = () if environment.is_ready(extra) else virtual_environment_support(environment.version)
     if verb in ("lint", "hooks", "translate", "site"):  # read the sources, draw nothing
-        supply(support, (), say)
-    elif verb in ("test", "setup"):
-        supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say)
+        supply(support, (), say, ask)
+    elif verb in ("test", "setup", "pictures", "endurance"):
+        supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say, ask)
     elif verb == "app" or has_display(os.environ):
-        supply([*support, *HEADLESS, *WINDOW], (), say)
+        supply([*support, *HEADLESS, *WINDOW], (), say, ask)
     else:
-        supply([*support, *HEADLESS], WINDOW, say)
+        supply([*support, *HEADLESS], WINDOW, say, ask)
     environment.prepare(extra, say)
     return environment
 
@@ -101,8 +121,10 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     covered = (*COVERED, "--cov", "--cov-report=term-missing:skip-covered", *IN_PARALLEL)
     others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
     failed = 0
+    thorough = {"KAGEZOU_THOROUGH": "1"} if THOROUGH in arguments else {}
+    arguments = [each for each in arguments if each != THOROUGH]
     with private_display() as screen:
-        variables = {**SINGLE_THREADS, **screen}
+        variables = {**SINGLE_THREADS, **screen, **thorough}
         for selection in (tuple(arguments),) if arguments else (covered, others):
             say("-- pytest")
             command = [str(environment.python), "-m", "pytest", *selection]
@@ -110,7 +132,12 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     return failed
 
 
-def translate(environment: Environment) -> None:
+def hooks(environment: Environment) -> int:
+    """Have git run the checks before every commit."""
+    return subprocess.call([str(environment.python), "-m", "pre_commit", "install"], cwd=ROOT)
+
+
+def translate(environment: Environment) -> int:
     """Bring the catalogues up to date, and name what still has no translation."""
     # Only here: set-up itself must be readable by an older Python, to say that it is too old.
     import dev_translations
@@ -120,22 +147,41 @@ def translate(environment: Environment) -> None:
     dev_translations.update(tools)
     for text in dev_translations.unfinished():
         say(f"not translated: {text}")
+    return 0
 
 
-def run_verb(verb: str, arguments: Sequence[str]) -> int:
+def site(environment: Environment) -> int:
+    """Make the manual as a website."""
+    command = [str(environment.python), str(ROOT / "packaging" / "dev_site.py")]
+    return subprocess.call(command, cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+
+
+def pictures(environment: Environment) -> int:
+    """Make every picture of the docs anew, on a screen of its own."""
+    with private_display() as screen:
+        for name in PICTURES:
+            say(f"-- {name}")
+            code = subprocess.call([str(environment.python), str(ROOT / "packaging" / name)], cwd=ROOT, env=screen)
+            if code:
+                return code
+    return 0
+
+
+ALONE = {"hooks": hooks, "translate": translate, "site": site, "pictures": pictures}
+"""Verbs that need nothing but an environment."""
+
+
+def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
     """Set up for the verb, do it, and return the exit code."""
-    environment = set_up(verb)
+    if verb == "lock":
+        dev_lock.make(ROOT, say)
+        return 0
+    environment = set_up(verb, yes=yes)
     if verb == "setup":
         say(f"Ready: {environment.python}")
         return 0
-    if verb == "hooks":
-        return subprocess.call([str(environment.python), "-m", "pre_commit", "install"], cwd=ROOT)
-    if verb == "translate":
-        translate(environment)
-        return 0
-    if verb == "site":
-        command = [str(environment.python), str(ROOT / "packaging" / "dev_site.py")]
-        return subprocess.call(command, cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+    if verb in ALONE:
+        return ALONE[verb](environment)
     if verb in ("demo", "app"):
         command = [str(environment.python), "-m", "kagezou", *(["demo"] if verb == "demo" else [])]
         return subprocess.call([*command, *arguments])
@@ -153,6 +199,8 @@ def main(arguments: Sequence[str]) -> int:
     if problem:
         sys.stderr.write(f"{problem}\n")
         return 1
+    yes = "--yes" in arguments
+    arguments = [each for each in arguments if each != "--yes"]
     if not arguments or arguments[0] not in VERBS or (arguments[0] in PLAIN and arguments[1:]):
         wants_help = bool(arguments) and arguments[0] in ("-h", "--help")
         (sys.stdout if wants_help else sys.stderr).write(__doc__ or "")
@@ -160,7 +208,7 @@ def main(arguments: Sequence[str]) -> int:
     # As an exception, so that the virtual screen is taken down on the way out.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     try:
-        return run_verb(arguments[0], arguments[1:])
+        return run_verb(arguments[0], arguments[1:], yes=yes)
     except SetupProblem as stop:
         sys.stderr.write(f"{stop}\n")
         return 1

@@ -1,24 +1,29 @@
-"""Works in the window for minutes on end, and tells what memory it takes: edits, undo, playback, saving, reopening.
+"""Works in the window for minutes on end, and tells what it takes: edits, undo, playback, saving, reopening, exports.
 
 ::
 
-    .venv/bin/python packaging/dev_endurance.py [MINUTES]
+    python3 packaging/dev.py endurance [--minutes MINUTES]
 
-On Linux it has a screen of its own. Each minute is one line; the exit code is 1 where memory still grew after the first
-five minutes.
+On Linux it has a screen of its own. Each minute is a line of a table; at the end a straight line is laid through the
+second half of each column by least squares. The exit code is 1 where memory, descriptors or threads still grew then,
+by more than the allocator of the system does.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields
+from itertools import cycle
 from pathlib import Path
 from random import Random
 
+import numpy as np
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
@@ -26,20 +31,74 @@ from dev_display import private_display
 from kagezou.cli.demo.stage import make_demo
 from kagezou.document.address import Address
 from kagezou.document.properties import GROUND_DECLINATION, LIGHT_POSITION, OPACITY, SOFTNESS
+from kagezou.export.choices import ExportChoices
+from kagezou.export.remembered import dumps_choices
 from kagezou.ui.application import Application, make_application
+from kagezou.ui.export.dialog import ExportDialog
+from kagezou.ui.export.result import ExportResult
 from kagezou.ui.system.settings import Settings
 
-SETTLED_AFTER = 5
-"""Minutes in which caches fill."""
-MOST_GROWTH_MB = 32
-"""More than this between then and the end is growth; less is what the allocator of the system does."""
 STEP_MS = 60
 STEPS_A_ROUND = 90
+ROUNDS_AN_EXPORT = 2
+KINDS = ("layers", "video", "layered", "after effects")
 COMMANDS = (
     "undo", "undo", "redo", "play", "play", "select_keys", "copy_keys", "paste_keys", "ease_both", "curves", "timeline",
     "zoom_in", "zoom_out", "fit", "handles", "handles", "copy_look", "paste_look",
 )  # fmt: skip
 """What is chosen from the menus, those more often that stand here twice."""
+
+
+@dataclass(frozen=True)
+class Taken:
+    """What the program has in use.
+
+    Parameters
+    ----------
+    memory_mb
+        Memory of the process.
+    descriptors
+        Files, sockets and pipes that are open.
+    threads
+        Threads of the process.
+    widgets
+        Widgets that Qt knows.
+    """
+
+    memory_mb: int
+    descriptors: int
+    threads: int
+    widgets: int
+
+    @classmethod
+    def now(cls) -> Taken:
+        """Count what this process has."""
+        told = dict(line.split(":", 1) for line in Path("/proc/self/status").read_text("ascii").splitlines())
+        return cls(
+            int(told["VmRSS"].split()[0]) >> 10,
+            len(list(Path("/proc/self/fd").iterdir())),
+            int(told["Threads"]),
+            len(QApplication.allWidgets()),
+        )
+
+
+MOST_GROWTH = {"memory_mb": 32.0, "descriptors": 4.0, "threads": 4.0, "widgets": 400.0}
+"""How much a straight line through the second half may climb there."""
+
+
+def growth(counts: Sequence[float]) -> float:
+    """Return how far a straight line through the second half of what was counted climbs from its start to its end."""
+    half = np.asarray(counts[len(counts) // 2 :], np.float64)
+    if len(half) < 2:
+        return 0.0
+    slope = np.polyfit(np.arange(len(half)), half, 1)[0]
+    return float(slope * (len(half) - 1))
+
+
+def grown(told: Sequence[Taken]) -> dict[str, float]:
+    """Return the columns that climb more than they may, and by how much."""
+    climbs = {each.name: growth([getattr(row, each.name) for row in told]) for each in fields(Taken)}
+    return {name: climb for name, climb in climbs.items() if climb > MOST_GROWTH[name]}
 
 
 class Worker:
@@ -58,22 +117,27 @@ class Worker:
     def __init__(self, program: Application, projects: list[Path], minutes: int) -> None:
         self._program, self._projects, self._minutes = program, projects, minutes
         self._random = Random(7)
-        self._steps = self._rounds = 0
+        self._kinds = cycle(KINDS)
+        self._steps = self._rounds = self._exports = 0
         self._began_s = time.monotonic()
-        self.told_mb: list[int] = []
+        self.told: list[Taken] = []
         self._timer = QTimer()
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._step)
         self._timer.start()
 
     def _step(self) -> None:
-        if time.monotonic() - self._began_s >= 60 * (len(self.told_mb) + 1):
+        if time.monotonic() - self._began_s >= 60 * (len(self.told) + 1):
             self._tell()
         parts = self._program.window.parts
-        if parts.project.loading.is_running:
+        if parts.project.loading.is_running or parts.exporting.is_running:
             return
+        for shown in self._program.window.findChildren(ExportResult):
+            shown.close()
         if self._steps % STEPS_A_ROUND == 0:
             self._reopen()
+        elif self._steps % (STEPS_A_ROUND * ROUNDS_AN_EXPORT) == STEPS_A_ROUND // 2:
+            self._export()
         else:
             do: Callable[[], object] = self._random.choice((self._edit, self._edit, self._go, self._command))
             do()
@@ -90,6 +154,15 @@ class Worker:
             self._program.speak("ja" if self._rounds % 12 else "en")
         parts = self._program.window.parts
         parts.project.open_path(self._projects[self._rounds % len(self._projects)])
+
+    def _export(self) -> None:
+        """Export one kind after the other, by the dialog, over what the last one of its kind made."""
+        parts = self._program.window.parts
+        parts.settings.set_word("export_plan", dumps_choices(ExportChoices(next(self._kinds))))
+        parts.actions["export"].trigger()
+        for dialog in self._program.window.findChildren(ExportDialog):
+            dialog.go.click()
+            self._exports += 1
 
     def _edit(self) -> None:
         """Type another value for a property in the inspector, or key it."""
@@ -119,17 +192,11 @@ class Worker:
             action.trigger()
 
     def _tell(self) -> None:
-        self.told_mb.append(memory_mb())
-        steps = f"{self._steps} steps, {self._rounds} projects opened, {len(QApplication.allWidgets())} widgets"
-        print(f"minute {len(self.told_mb):2}: {self.told_mb[-1]} MB, {steps}", flush=True)
-        if len(self.told_mb) >= self._minutes:
+        self.told.append(Taken.now())
+        counts = [len(self.told), *(getattr(self.told[-1], each.name) for each in fields(Taken))]
+        print("".join(f"{count:12}" for count in (*counts, self._steps, self._rounds, self._exports)), flush=True)
+        if len(self.told) >= self._minutes:
             QApplication.exit(0)
-
-
-def memory_mb() -> int:
-    """Return the memory that this process has in use."""
-    lines = Path("/proc/self/status").read_text("ascii").splitlines()
-    return next(int(line.split()[1]) >> 10 for line in lines if line.startswith("VmRSS"))
 
 
 def work(minutes: int) -> int:
@@ -142,22 +209,27 @@ def work(minutes: int) -> int:
         own = [folder / name for name in ("styles", "unsaved", "pictures", "spare")]
         program = Application(application, Settings(store, *own))
         program.show()
+        heads = ("minute", *(each.name for each in fields(Taken)), "steps", "projects", "exports")
+        print("".join(f"{head:>12}" for head in heads), flush=True)
         worker = Worker(program, projects, minutes)
         application.exec()
         program.open_project.bridge.session.mark_saved()
         program.put_away()
-    settled = worker.told_mb[min(SETTLED_AFTER, len(worker.told_mb)) - 1]
-    grown = worker.told_mb[-1] - settled
-    print(f"{grown:+} MB after the first {SETTLED_AFTER} minutes")
-    return int(grown > MOST_GROWTH_MB)
+    for each in fields(Taken):
+        climb = growth([getattr(row, each.name) for row in worker.told])
+        print(f"{each.name}: {climb:+.1f} over the second half, at most {MOST_GROWTH[each.name]:+.0f}")
+    return int(bool(grown(worker.told)))
 
 
 def main(arguments: list[str]) -> int:
     """Run on a screen of its own."""
+    parser = argparse.ArgumentParser(prog="dev.py endurance", description="Work in the window, and tell what grows.")
+    parser.add_argument("--minutes", type=int, default=60, help="how long (60)")
+    minutes = parser.parse_args(arguments).minutes
     if os.environ.get("KAGEZOU_ENDURANCE"):
-        return work(int(arguments[0]))
+        return work(minutes)
     with private_display() as variables:
-        command = [sys.executable, __file__, *(arguments or ["20"])]
+        command = [sys.executable, __file__, "--minutes", str(minutes)]
         return subprocess.call(command, env={**variables, "KAGEZOU_ENDURANCE": "1"})
 
 

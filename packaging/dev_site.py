@@ -1,7 +1,8 @@
 """The manual as a website in both languages, with references made from the program itself.
 
-``python3 packaging/dev.py site`` calls it. Pages are those that the program shows; beside them stand a reference of all
-commands, from what each says of itself, and the description of the project file. Nothing of it is written twice.
+``python3 packaging/dev.py site`` calls it. Pages are those that the program shows; beside them stand references of all
+properties, from their table, and of all commands, from what each says of itself, and the description of the project
+file. Nothing of it is written twice.
 """
 
 import importlib
@@ -15,17 +16,17 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+from dev_site_project_file import in_japanese
+from dev_site_properties import properties_page
+
 ROOT: Final = Path(__file__).resolve().parents[1]
 SITE: Final = ROOT / "packaging" / "site"
 LANGUAGES: Final = {"en": "English", "ja": "日本語"}
 _TITLES: Final = {
-    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it.", "Project file"),
-    "ja": (
-        "コマンド",
-        "コマンドラインの全コマンドです。説明文は `kagezou help COMMAND` と同じ英語です。",
-        "プロジェクトファイル",
-    ),
+    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it."),
+    "ja": ("コマンド", "コマンドラインの全コマンドです。説明文は `kagezou help COMMAND` と同じ英語です。"),
 }
+_REFERENCES: Final = {"en": "References", "ja": "リファレンス"}
 _WIDTH: Final = "100"
 
 
@@ -42,10 +43,10 @@ def write_pages(folder: Path, language: str) -> tuple[str, ...]:
     folder.mkdir(parents=True)
     pages = pages_in(language)
     texts = {name: with_properties(page.text, sections()) for name, page in pages.items()}
+    texts["properties"] = "\n".join(properties_page(language))
     texts["commands"] = "\n".join(commands_page(language))
     texts["project-file"] = _project_file(language)
-    others = [name for name in texts if name != FIRST]
-    texts[FIRST] += "\n```{toctree}\n:hidden:\n\n" + "\n".join(others) + "\n```\n"
+    texts[FIRST] += "".join(_contents(texts[FIRST], language))
     for name, text in texts.items():
         (folder / f"{name}.md").write_text(_scripts_named(text), encoding="utf-8")
     speaking.fall_silent()
@@ -57,7 +58,7 @@ def commands_page(language: str) -> Iterator[str]:
     from kagezou.cli.arguments import Parser
     from kagezou.cli.main import VERBS
 
-    title, says, _ = _TITLES[language]
+    title, says = _TITLES[language]
     words = VERBS if language == "en" else json.loads((SITE / "commands_ja.json").read_text(encoding="utf-8"))
     yield from (f"# {title}", "", says, "")
     os.environ["COLUMNS"] = _WIDTH
@@ -68,13 +69,18 @@ def commands_page(language: str) -> Iterator[str]:
         yield from (f"## kagezou {verb}", "", words[verb], "", "```text", parser.format_help().rstrip(), "```", "")
 
 
+def _contents(first: str, language: str) -> Iterator[str]:
+    """Yield what makes the list at the side: the chapters of the first page, and the references."""
+    chapters = re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", first, re.MULTILINE | re.DOTALL)
+    for title, text in (*chapters, (_REFERENCES[language], "(properties.md)(commands.md)(project-file.md)")):
+        names = "\n".join(dict.fromkeys(re.findall(r"\(([a-z-]+)\.md\)", text)))
+        yield f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n{names}\n```\n"
+
+
 def _project_file(language: str) -> str:
     from kagezou.io.project.format import description
 
-    text = description()
-    return (
-        text if language == "en" else re.sub(r"^# .*$", f"# {_TITLES[language][2]} (.kage)", text, count=1, flags=re.M)
-    )
+    return description() if language == "en" else in_japanese(description())
 
 
 def _scripts_named(text: str) -> str:
@@ -84,6 +90,7 @@ def _scripts_named(text: str) -> str:
 
 def build(out: Path) -> None:
     """Make the website anew; subprocess.CalledProcessError where a page or a link is broken."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     sources = out.with_name(f"{out.name}-pages")
     for folder in (out, sources):
         shutil.rmtree(folder, ignore_errors=True)

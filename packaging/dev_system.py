@@ -173,8 +173,41 @@ def run_quietly(command: Sequence[str], problem: str) -> None:
         raise SetupProblem(f"{problem} with code {done.returncode}; the end of what it said is above.")
 
 
-def supply(needed: Sequence[Library], wished: Sequence[Library], say: Callable[[str], None]) -> None:
+def always(_root: Sequence[str]) -> bool:
+    """Agree."""
+    return True
+
+
+def may_install(root: Sequence[str]) -> bool:
+    """Ask whoever sits at the terminal whether system packages may be installed.
+
+    Where nobody does, only root itself goes on, such as in a container: what takes ``sudo`` may be a machine that
+    others use, too.
+    """
+    if not sys.stdin.isatty():
+        return not root
+    try:
+        return input("Install them now? [y/N] ").strip().lower() in ("y", "yes")
+    except EOFError:
+        return False
+
+
+def supply(
+    needed: Sequence[Library],
+    wished: Sequence[Library],
+    say: Callable[[str], None],
+    ask: Callable[[Sequence[str]], bool] = always,
+) -> None:
     """Install what is missing; where that is not possible, stop over what is needed and only mention what is wished.
+
+    Parameters
+    ----------
+    needed, wished
+        What has to be there, and what is only better to have.
+    say
+        Told in one line what is going to be installed, before it is.
+    ask
+        Given what stands before a command that root runs, whether to go on.
 
     Raises
     ------
@@ -192,10 +225,14 @@ def supply(needed: Sequence[Library], wished: Sequence[Library], say: Callable[[
         _refuse(f"Please install these with your system's package manager: {words}.", say, stops=stops)
         return
     root = way_to_root()
+    names = package_names(missing, available_packages([n for one in missing for n in one.packages]))
     if root is None:
-        names = package_names(missing, available_packages([n for one in missing for n in one.packages]))
         reason = "System packages are missing, and installing them needs an administrator"
         _refuse(f"{reason}; please type: {line_to_type(names)}", say, stops=stops)
+        return
+    say(f"This machine lacks {len(names)} system packages, which apt-get would install: {' '.join(names)}.")
+    if not ask(root):
+        _refuse(f"Nothing was installed; add --yes, or type: {line_to_type(names)}", say, stops=stops)
         return
     _install(missing, root, say)
 
@@ -214,5 +251,5 @@ def _install(missing: Sequence[Library], root: Sequence[str], say: Callable[[str
         # One broken third-party source must not stand in the way of packages that come from elsewhere.
         say(f"{problem} Trying to install all the same.")
     names = package_names(missing, available_packages([n for one in missing for n in one.packages]))
-    say(f"Installing {len(names)} system packages: {' '.join(names)} ...")
+    say(f"Installing {len(names)} system packages ...")
     run_quietly(apt_install(root, names), "Installing system packages failed")

@@ -1,6 +1,6 @@
 """The private Python environment of a checkout, ``.venv``: made once, mended when something changed.
 
-A stamp inside says for which ``pyproject.toml``, extra, Python and folder the packages were installed, so that a
+A stamp inside says for which ``pyproject.toml``, lock, extra, Python and folder the packages were installed, so that a
 second run costs one file comparison. A mark, laid down before work begins and taken away when it is done, tells
 an interrupted set-up from an environment that somebody made by hand: the first is rebuilt, the second is kept.
 """
@@ -16,6 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from dev_lock import lock_file, reason_not_to_lock
 from dev_system import SetupProblem, run_quietly
 
 EXTRAS = ("", "dev")  # each holds all of the one before
@@ -58,9 +59,11 @@ class Environment:
         return self.folder / "kagezou-unfinished"
 
     def stamp(self, extra: str) -> str:
-        """Return the text that stands for an installation with this extra, from the present pyproject.toml."""
+        """Return the text that stands for an installation with this extra, from the present project and lock."""
+        lock = lock_file(self.root, extra)
         parts = (
             (self.root / "pyproject.toml").read_bytes(),
+            lock.read_bytes() if lock.is_file() else b"",
             extra.encode(),
             repr(self.version).encode(),
             os.fsencode(self.root),  # an editable installation points to its checkout by absolute path
@@ -105,11 +108,23 @@ class Environment:
         self.stamp_file.unlink(missing_ok=True)
         self.unfinished_mark.touch()
         say("Installing the Python packages into .venv (the first time, about 190 MB come over the network) ...")
-        target = f"{self.root}[{extra}]" if extra else str(self.root)
-        command = [str(self.python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
-        run_quietly([*command, "--editable", target], "Installing the Python packages failed")
+        self._install(extra, say)
         self.stamp_file.write_text(self.stamp(extra) + "\n", encoding="ascii")
         self.unfinished_mark.unlink()
+
+    def _install(self, extra: str, say: Callable[[str], None]) -> None:
+        """Install the locked packages by their hashes, then the sources; without a lock what fits pyproject.toml."""
+        pip = [str(self.python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        problem = "Installing the Python packages failed"
+        reason = reason_not_to_lock()
+        if reason:
+            say(f"Taking the newest packages that fit instead of the tested ones, as {reason}.")
+            target = f"{self.root}[{extra}]" if extra else str(self.root)
+            run_quietly([*pip, "--editable", target], problem)
+            return
+        run_quietly([*pip, "--require-hashes", "--requirement", str(lock_file(self.root, extra))], problem)
+        # The lock holds what builds it, too: nothing is fetched any more.
+        run_quietly([*pip, "--no-deps", "--no-build-isolation", "--editable", str(self.root)], problem)
 
     def _rebuild(self, say: Callable[[str], None]) -> None:
         if Path(sys.prefix).resolve() == self.folder.resolve():

@@ -15,6 +15,7 @@ from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 
 from dev_display import private_display
+from tests.effort import tries
 
 if TYPE_CHECKING:
     from kagezou.render.renderer import Renderer
@@ -23,7 +24,7 @@ TESTS = Path(__file__).resolve().parent
 SAMPLES = TESTS.parents[1] / "shared" / "samples"
 
 # A busy machine is slow now and then; that says nothing about the program.
-hypothesis.settings.register_profile("kagezou", deadline=None)
+hypothesis.settings.register_profile("kagezou", deadline=None, max_examples=tries(30, 100))
 hypothesis.settings.load_profile("kagezou")
 
 

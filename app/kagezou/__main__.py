@@ -4,11 +4,13 @@ The only place that knows both.
 """
 
 import gc
+import logging
 import os
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 from kagezou.cli import main as command_line
 from kagezou.cli.arguments_file import given_words
@@ -17,6 +19,7 @@ from kagezou.cli.streams import open_closed_streams
 from kagezou.cli.terminal import speak_plainly, tell
 from kagezou.contexts import avoid_dead_compositor, has_display, open_context
 from kagezou.errors import GraphicsProblem, Problem
+from kagezou.io.files.crash_reports import watching_for_fatal_ends
 from kagezou.own_process import ran_as_child
 
 if TYPE_CHECKING:  # neither is needed to open the window
@@ -44,6 +47,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Problem as problem:
         tell(str(problem))
         return problem.exit_code
+    with watching_for_fatal_ends(words):
+        return _opened(words)
+
+
+def _opened(words: Sequence[str]) -> int:
+    """Go through the door that the words are for."""
     if not words:
         return open_window(None)
     if len(words) == 1 and words[0].lower().endswith(PROJECT_SUFFIXES):
@@ -58,6 +67,22 @@ def _start_lean() -> None:
     gc.set_threshold(_UNCOLLECTED)
     # Threads for matrices, which numpy starts when it is imported; here they are of three rows.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+def program() -> NoReturn:
+    """Be the program: do what the words say and end the process.
+
+    What Python does at its end, taking every object apart, takes as long as several frames; where no window was open,
+    nothing waits for it.
+    """
+    code = main()
+    if "PySide6" not in sys.modules:
+        logging.shutdown()
+        with suppress(OSError, ValueError):  # a reader that is gone has been told of already
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(code)
+    sys.exit(code)
 
 
 def window(arguments: Sequence[str] | None = None) -> int:
@@ -96,4 +121,4 @@ def make_demo(folder: Path, progress: Callable[[int, int], None]) -> Path:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    program()

@@ -12,3 +12,5 @@ html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#3b5b8c", "color-brand-content": "#3b5b8c"},
     "dark_css_variables": {"color-brand-primary": "#9db8e6", "color-brand-content": "#9db8e6"},
 }
+html_static_path = ["static"]
+html_css_files = ["kagezou.css"]

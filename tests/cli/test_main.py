@@ -1,6 +1,5 @@
 """The front door: help, versions, wrong words, exit codes, streams."""
 
-import errno
 import os
 import subprocess
 import sys
@@ -8,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from kagezou.cli import crash_log
 from kagezou.cli.main import VERBS
 from kagezou.version import __version__
 from tests.cli.projects import Shell
@@ -164,7 +162,8 @@ def test_a_defect_is_one_line_and_a_log(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert done.stderr.count("\n") == 1
     assert "ZeroDivisionError: two (" in done.stderr
-    (log,) = tmp_path.rglob("crash.log")
+    (log,) = tmp_path.rglob("crash-*.txt")
+    assert "called with: " in log.read_text(encoding="utf-8")
     assert "Traceback" in log.read_text(encoding="utf-8")
     assert str(log) in done.stderr
 
@@ -173,20 +172,9 @@ def test_a_defect_shows_its_story_to_those_who_ask(tmp_path: Path) -> None:
     code = failing(KeyError("x"))
     done = python("-c", code, KAGEZOU_DEBUG="1", XDG_STATE_HOME="/proc/nowhere", HOME=str(tmp_path))
     assert "Traceback" in done.stderr
-    assert "no log could be written" in done.stderr
+    assert "no report could be written" in done.stderr
 
 
 def test_too_little_memory_is_told() -> None:
     done = python("-c", failing(MemoryError()))
     assert (done.returncode, done.stderr) == (1, "kagezou: there is not enough memory for this\n")
-
-
-def test_a_large_log_begins_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "log" / "crash.log"
-    monkeypatch.setattr(crash_log, "log_path", lambda: path)
-    monkeypatch.delenv(crash_log.DEBUG_VARIABLE, raising=False)
-    assert str(path) in crash_log.noted_at(ValueError("first"), ["info"])
-    path.write_bytes(b"x" * (2 << 20))
-    crash_log.noted_at(OSError(errno.EIO, "second"), ["info"])
-    assert path.stat().st_size < 10_000
-    assert path.with_name("crash.log.1").exists()

@@ -1,25 +1,26 @@
 """Every hand-over against the picture: layers laid as each program lays them, over what may come together in a cut."""
 
+from itertools import combinations
 from pathlib import Path
 
 import pytest
 
+from tests.effort import tries
 from tests.export.hand_over_cuts import EVERY, FRAMES, Combination, combined
 from tests.export.hand_over_pictures import HAND_OVERS, ROUNDED, levels_between, picture
 
 
 def covering(every: tuple[Combination, ...]) -> tuple[Combination, ...]:
-    """Return combinations among which any two choices come together at least once."""
+    """Return combinations among which each choice comes at least once, or, where all is tried, any two together."""
 
-    def pairs(each: Combination) -> set[tuple[tuple[int, str], tuple[int, str]]]:
-        parts = list(enumerate(each.parts))
-        return {(one, other) for one in parts for other in parts if one[0] < other[0]}
+    def together(each: Combination) -> set[tuple[tuple[int, str], ...]]:
+        return set(combinations(enumerate(each.parts), tries(1, 2)))
 
-    missing = {pair for each in every for pair in pairs(each)}
+    missing = {some for each in every for some in together(each)}
     found = []
     while missing:
-        best = max(every, key=lambda each: len(pairs(each) & missing))
-        missing -= pairs(best)
+        best = max(every, key=lambda each: len(together(each) & missing))
+        missing -= together(best)
         found.append(best)
     return tuple(found)
 

@@ -41,7 +41,7 @@ def test_the_python_range_is_the_project_s(modules: Modules) -> None:
     assert modules.dev.python_problem((3, 15)) is not None
 
 
-@pytest.mark.parametrize("name", ["dev", "dev_system", "dev_venv", "dev_display"])
+@pytest.mark.parametrize("name", ["dev", "dev_system", "dev_venv", "dev_display", "dev_lock"])
 def test_an_older_python_gets_as_far_as_the_sentence(name: str) -> None:
     text = (ROOT / "packaging" / f"{name}.py").read_text(encoding="utf-8")
     tree = ast.parse(text, feature_version=(3, 8))
@@ -49,7 +49,7 @@ def test_an_older_python_gets_as_far_as_the_sentence(name: str) -> None:
     imported = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names} | {
         node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)
     }
-    ours = {"dev_system", "dev_venv", "dev_display", "dev_translations"}
+    ours = {"dev_system", "dev_venv", "dev_display", "dev_translations", "dev_lock"}
     assert {module.split(".")[0] for module in imported} - ours <= sys.stdlib_module_names
 
 
@@ -65,7 +65,7 @@ def test_a_wrong_command_line_shows_the_verbs(
 def test_a_problem_is_one_sentence_and_not_a_traceback(
     modules: Modules, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def stop(*_: object) -> int:
+    def stop(*_: object, **__: object) -> int:
         raise modules.system.SetupProblem("Something is missing.")
 
     monkeypatch.setattr(modules.dev, "run_verb", stop)
@@ -89,12 +89,30 @@ def test_every_check_runs_and_any_failure_counts(
         ran.append(name)
         return tests if name == "pytest" else int(name == failing)
 
-    monkeypatch.setattr(modules.dev, "set_up", lambda _: modules.venv.Environment(ROOT, (3, 11)))
+    monkeypatch.setattr(modules.dev, "set_up", lambda _, **__: modules.venv.Environment(ROOT, (3, 11)))
     monkeypatch.setattr(modules.dev.subprocess, "call", call)
     monkeypatch.setattr(modules.dev, "private_display", FakeDisplay)
     assert modules.dev.run_verb("test", []) == code
     checks = [name for name, _ in modules.dev.CHECKS]
     assert ran == [*checks, "pytest", "pytest"], "what must be covered whole, and then all others"
+
+
+def test_all_of_every_sweep_is_tried_when_asked_for(modules: Modules, monkeypatch: pytest.MonkeyPatch) -> None:
+    ran: list[tuple[list[str], str | None]] = []
+
+    def call(command: list[str], *, env: dict[str, str], **_: Any) -> int:
+        ran.append((command, env.get("KAGEZOU_THOROUGH")))
+        return 0
+
+    monkeypatch.setattr(modules.dev.subprocess, "call", call)
+    monkeypatch.setattr(modules.dev, "private_display", FakeDisplay)
+    environment = modules.venv.Environment(ROOT, (3, 11))
+    assert modules.dev.run_tests(environment, ["--thorough"]) == 0
+    assert [thorough for _, thorough in ran] == ["1", "1"]
+    assert modules.dev.run_tests(environment, ["tests/io", "--thorough"]) == 0
+    assert (ran[-1][0][-1], ran[-1][1]) == ("tests/io", "1")
+    assert modules.dev.run_tests(environment, ["tests/io"]) == 0
+    assert ran[-1][1] is None
 
 
 class FakeDisplay:
@@ -114,13 +132,28 @@ def test_the_window_s_libraries_are_needed_only_where_a_window_can_open(
     asked: list[tuple[list[Any], list[Any]]] = []
     monkeypatch.setenv("DISPLAY", display)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
-    monkeypatch.setattr(modules.dev, "supply", lambda needed, wished, _: asked.append((needed, wished)))
+    monkeypatch.setattr(modules.dev, "supply", lambda needed, wished, *_: asked.append((needed, wished)))
     monkeypatch.setattr(modules.venv.Environment, "prepare", lambda *_: None)
     modules.dev.set_up(verb)
     needed, wished = asked[0]
     assert set(modules.system.HEADLESS) <= set(needed)
     assert (set(modules.system.WINDOW) <= set(needed)) is needs_window
     assert set(modules.system.WINDOW) <= {*needed, *wished}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "ci", "asks"), [([], "", True), (["--yes"], "", False), ([], "true", False), ([], "0", True)]
+)
+def test_only_a_flag_or_a_ci_installs_without_asking(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, arguments: list[str], ci: str, *, asks: bool
+) -> None:
+    asked: list[object] = []
+    monkeypatch.setenv("CI", ci)
+    monkeypatch.setattr(modules.dev, "supply", lambda _n, _w, _s, ask: asked.append(ask))
+    monkeypatch.setattr(modules.venv.Environment, "prepare", lambda *_: None)
+    monkeypatch.setattr(modules.dev.signal, "signal", quiet_signal)
+    assert modules.dev.main(["setup", *arguments]) == 0
+    assert asked == [modules.system.may_install if asks else modules.system.always]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tests run on a virtual screen")

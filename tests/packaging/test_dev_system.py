@@ -138,6 +138,53 @@ def test_a_broken_package_source_does_not_stop_the_install(modules: Modules, mac
     assert "install" in machine.commands[-1]
 
 
+def test_what_is_going_to_be_installed_is_said_before_anything_runs(modules: Modules, machine: Machine) -> None:
+    machine.installed = {"libegl1"}
+    said: list[tuple[str, int]] = []
+    modules.system.supply(modules.system.HEADLESS, (), lambda text: said.append((text, len(machine.commands))))
+    first, ran = said[0]
+    assert ran == 0
+    assert "\n" not in first
+    assert "2 system packages" in first
+    assert "libgl1 libgl1-mesa-dri" in first
+
+
+def test_a_no_installs_nothing_and_says_what_to_type(modules: Modules, machine: Machine) -> None:
+    with pytest.raises(modules.system.SetupProblem, match="Nothing was installed; add --yes, or type: sudo apt-get"):
+        modules.system.supply(modules.system.HEADLESS, (), machine.sentences.append, lambda _: False)
+    modules.system.supply((), modules.system.WINDOW, machine.sentences.append, lambda _: False)
+    assert machine.sentences[-1].endswith("going on.)")
+    assert machine.commands == []
+
+
+@pytest.mark.parametrize(
+    ("terminal", "answer", "root", "goes_on"),
+    [
+        (True, "y", ["sudo", "-n"], True),
+        (True, "YES", [], True),
+        (True, "", [], False),
+        (True, "n", ["sudo", "-n"], False),
+        (False, "y", ["sudo", "-n"], False),
+        (False, "", [], True),
+    ],
+)
+def test_whoever_sits_at_a_terminal_is_asked(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, answer: str, root: list[str], *, terminal: bool, goes_on: bool
+) -> None:
+    monkeypatch.setattr(modules.system.sys.stdin, "isatty", lambda: terminal, raising=False)
+    monkeypatch.setattr("builtins.input", lambda _: answer)
+    assert modules.system.may_install(root) is goes_on
+
+
+def test_a_terminal_that_closes_is_a_no(modules: Modules, monkeypatch: pytest.MonkeyPatch) -> None:
+    def ends(_: str) -> str:
+        raise EOFError
+
+    monkeypatch.setattr(modules.system.sys.stdin, "isatty", lambda: True, raising=False)
+    monkeypatch.setattr("builtins.input", ends)
+    assert not modules.system.may_install([])
+
+
 def test_without_root_the_sentence_holds_the_line_to_type(modules: Modules, machine: Machine) -> None:
     machine.root = None
     machine.available = {"libglib2.0-0t64"}

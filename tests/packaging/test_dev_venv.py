@@ -26,8 +26,9 @@ def modules(monkeypatch: pytest.MonkeyPatch) -> Modules:
 
 
 @pytest.fixture
-def environment(modules: Modules, tmp_path: Path) -> Any:
+def environment(modules: Modules, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
     (tmp_path / "pyproject.toml").write_text("[project]\n", encoding="utf-8")
+    monkeypatch.setattr(modules.venv, "reason_not_to_lock", str)
     return modules.venv.Environment(tmp_path, (3, 11))
 
 
@@ -53,13 +54,15 @@ def quiet(_: str) -> None:
 
 def test_the_first_run_makes_and_fills_and_the_second_does_nothing(environment: Any, commands: list[list[str]]) -> None:
     environment.prepare("dev", quiet)
-    make, fill = commands
+    make, fill, lay = commands
     assert make[-2:] == ["venv", str(environment.folder)]
-    assert fill[-2:] == ["--editable", f"{environment.root}[dev]"]
+    assert fill[-3:-1] == ["--require-hashes", "--requirement"]
+    assert Path(fill[-1]) == environment.root / "packaging" / "requirements" / "dev.txt"
+    assert lay[-4:] == ["--no-deps", "--no-build-isolation", "--editable", str(environment.root)]
     assert environment.is_ready("dev")
     assert not environment.unfinished_mark.exists()
     environment.prepare("dev", quiet)
-    assert len(commands) == 2
+    assert len(commands) == 3
 
 
 def test_the_larger_installation_serves_the_smaller_need_and_not_the_other_way(
@@ -73,7 +76,7 @@ def test_the_larger_installation_serves_the_smaller_need_and_not_the_other_way(
     assert commands[-1][-1] == str(environment.root)
 
 
-def test_the_stamp_follows_pyproject_extra_python_and_folder(
+def test_the_stamp_follows_pyproject_lock_extra_python_and_folder(
     modules: Modules, environment: Any, tmp_path: Path
 ) -> None:
     moved = tmp_path / "moved"
@@ -84,7 +87,22 @@ def test_the_stamp_follows_pyproject_extra_python_and_folder(
     stamps.add(modules.venv.Environment(moved, (3, 11)).stamp(""))
     (tmp_path / "pyproject.toml").write_text("[project]\nname = 'x'\n", encoding="utf-8")
     stamps.add(environment.stamp(""))
-    assert len(stamps) == 5
+    lock = modules.venv.lock_file(tmp_path, "")
+    lock.parent.mkdir(parents=True)
+    lock.write_text("numpy==2\n", encoding="utf-8")
+    stamps.add(environment.stamp(""))
+    assert len(stamps) == 6
+
+
+def test_a_system_too_old_for_the_lock_takes_what_fits_and_says_why(
+    modules: Modules, environment: Any, commands: list[list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(modules.venv, "reason_not_to_lock", lambda: "it is old")
+    said: list[str] = []
+    environment.prepare("dev", said.append)
+    assert commands[-1][-2:] == ["--editable", f"{environment.root}[dev]"]
+    assert "--require-hashes" not in commands[-1]
+    assert any("as it is old." in each for each in said)
 
 
 @pytest.mark.usefixtures("commands")
@@ -124,7 +142,7 @@ def test_a_hand_made_environment_of_the_right_python_is_kept(
     environment.python.touch()
     monkeypatch.setattr(modules.venv.subprocess, "run", lambda *_, **__: subprocess.CompletedProcess([], 0, "3 11\n"))
     environment.prepare("dev", quiet)
-    assert [command[-2] for command in commands] == ["--editable"]
+    assert [command[-2] for command in commands] == ["--requirement", "--editable"]
 
 
 @pytest.mark.parametrize("said", ["3 12\n", "", "Traceback"])
@@ -135,7 +153,7 @@ def test_an_environment_of_another_python_is_rebuilt(
     environment.python.touch()
     monkeypatch.setattr(modules.venv.subprocess, "run", lambda *_, **__: subprocess.CompletedProcess([], 0, said))
     environment.prepare("dev", quiet)
-    assert [command[-2] for command in commands] == ["venv", "--editable"]
+    assert [command[-2] for command in commands] == ["venv", "--requirement", "--editable"]
 
 
 def test_the_interpreter_that_runs_is_never_deleted(
@@ -162,4 +180,4 @@ def test_a_removal_that_breaks_off_leaves_nothing_that_looks_usable(
         environment.prepare("", quiet)
     assert not environment.is_ready("")
     assert not environment.is_usable()
-    assert len(commands) == 2
+    assert len(commands) == 3

@@ -17,6 +17,7 @@ from kagezou.io.project.file import dumps, loads
 from kagezou.scene.evaluate import evaluate
 from kagezou.session.session import Gesture, Session
 from tests.documents import FOLDER
+from tests.effort import tries
 
 CELS = Cels((Drawing("1", FOLDER / "A/1.png"), Drawing("2", FOLDER / "A/2.png")), (Exposure(1, 0), Exposure(4, 1)))
 
@@ -173,4 +174,4 @@ class History(RuleBasedStateMachine):
 
 
 TestHistory = History.TestCase
-TestHistory.settings = settings(max_examples=60, stateful_step_count=40, deadline=None)
+TestHistory.settings = settings(max_examples=tries(20, 60), stateful_step_count=40, deadline=None)

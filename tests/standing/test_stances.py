@@ -12,6 +12,7 @@ from kagezou.standing.finding import found_feet
 from kagezou.standing.foot import Verdict
 from kagezou.standing.seen import Seen, SeenFoot, Stance
 from kagezou.standing.stances import stances
+from tests.effort import tries
 from tests.standing.figures import GROUND, Pose, drawn, jump, run, seen, walk, walk_speed
 
 
@@ -327,7 +328,7 @@ def test_size_and_place_on_the_canvas_do_not_matter(size: float, dx: float, dy: 
 _Places = dict[int, tuple[float, float, Verdict | None]]
 
 
-@settings(max_examples=60)
+@settings(max_examples=tries(20, 60))
 @given(
     st.lists(
         st.dictionaries(

@@ -15,6 +15,7 @@ from kagezou.document.property import AnyProperty
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.scene.evaluate import evaluate
 from kagezou.tools.placing import NewPiece, add_placed
+from tests.effort import tries
 from tests.tools.tool_scenes import LAYER, document_with
 
 
@@ -29,7 +30,7 @@ def point(document: Document, piece_id: str) -> tuple[float, float]:
     return (x, y)
 
 
-@settings(max_examples=60)
+@settings(max_examples=tries(20, 60))
 @given(
     st.sampled_from(BUILT_KINDS),
     st.one_of(st.just(0.0), st.floats(10, 70)),

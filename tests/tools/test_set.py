@@ -25,6 +25,7 @@ from kagezou.tools.pointer import Modifiers
 from kagezou.tools.readout import readout
 from kagezou.tools.sight import between
 from kagezou.tools.view import CanvasView
+from tests.effort import tries
 from tests.tools.tool_scenes import FREE, PIECE, Hand, document_with, handle, handles, number, place, with_piece
 
 SIZES = {"piece.width": s.PIECE_WIDTH, "piece.depth": s.PIECE_DEPTH, "piece.height": s.PIECE_HEIGHT}
@@ -113,7 +114,7 @@ def test_a_wall_leans_as_its_side_view_does(document: Document, view: CanvasView
     assert handle(after, "piece.lean", view).canvas_px == pytest.approx(aim, abs=1e-6)
 
 
-@settings(max_examples=60)
+@settings(max_examples=tries(20, 60))
 @given(sets(lowest=1.0), st.floats(-1e7, 1e7), st.floats(-1e7, 1e7))
 def test_no_drag_leads_out_of_the_set(document: Document, dx: float, dy: float) -> None:
     for each in handles(document, of_piece=True).handles:

@@ -111,6 +111,16 @@ def text() -> dict[str, Json]:
     }
 
 
+def crashes() -> dict[str, Json]:
+    """Return the newest report of a crash; None where there is none."""
+    from kagezou.io.files.crash_reports import left_by_dead, report_folder, reports_in
+    from kagezou.io.files.faults import shown
+
+    left_by_dead()
+    found = reports_in(report_folder())
+    return {"newest report": shown(found[0]) if found else None, "reports": len(found)}
+
+
 def studio() -> dict[str, Json]:
     """Return the folders of a studio's own and what runs after an export; None for what nobody named."""
     from kagezou.export.after.hooks import hooks_of

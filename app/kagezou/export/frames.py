@@ -12,10 +12,11 @@ from kagezou.document.model import Document
 from kagezou.export.checks import check_sources, check_targets, prepare_folders
 from kagezou.export.contents import Content
 from kagezou.export.file_kinds import FileCount, added_up, kind_of
+from kagezou.export.forks import Sharing, processes_for, shared_flow
 from kagezou.export.ledger import Ledger, fingerprint
 from kagezou.export.made_files import MadeFile
 from kagezou.export.painters import Painters, are_worth_two
-from kagezou.export.pipeline import Outcome, PipelineSteps, flow, window_for
+from kagezou.export.pipeline import Outcome, PipelineSteps, window_for
 from kagezou.export.planning import FrameJob, OutputFile, Plan
 from kagezou.export.request import Cancelled, ExportRequest, Failure, Progress, Summary
 from kagezou.export.stand_ins import planned_without_missing
@@ -68,7 +69,8 @@ def _make(
 ) -> None:
     """Make the outstanding files."""
     request, canvas = run.request, document.canvas
-    cels = CelCache(CEL_BUDGET_BYTES)
+    processes = processes_for(document, jobs, request.workers)
+    cels = CelCache(CEL_BUDGET_BYTES // processes)
     window = window_for(canvas.width_px, canvas.height_px, request.workers)
     stops = stops_of(document, cancelled)
     painters = Painters(
@@ -77,7 +79,8 @@ def _make(
         open_context,
         stops,
         keeps_opacity=request.keeps_opacity,
-        are_two=are_worth_two(document, jobs, request.workers),
+        are_two=processes < 2 and are_worth_two(document, jobs, request.workers),
+        processes=processes,
     )
     steps = PipelineSteps(
         decode=partial(decode, cels, in_color=request.composite or request.layered),
@@ -85,7 +88,8 @@ def _make(
         write=write_all,
         drawing_beside=painters.drawing_beside,
     )
-    with closing(flow(jobs, steps, request.workers, window, cancelled)) as outcomes:
+    sharing = Sharing(request.workers, window, processes)
+    with closing(shared_flow(jobs, steps, sharing, cancelled, run.notes.append)) as outcomes:
         for outcome in outcomes:
             run.note(outcome)
 
@@ -122,6 +126,7 @@ class _Run:
     made: list[MadeFile] = field(default_factory=list)
     fingerprints: dict[Content, str] = field(default_factory=dict)
     there: Counter[Message] = field(default_factory=Counter)
+    notes: list[Message] = field(default_factory=list)
 
     def outstanding(self, cancelled: Cancelled) -> list[FrameJob]:
         """Return the jobs with the files that are still to be made; none where that was stopped."""
@@ -167,6 +172,8 @@ class _Run:
     def summary(self, seconds: float) -> Summary:
         """Return what came of it all."""
         failed = sum(len(failure.frames) for failure in self.failures)
+        files = (target.path for job in self.plan.jobs for target in job.targets)
+        order = {path: place for place, path in enumerate(files)}
         return Summary(
             files=self.plan.files,
             written=self.written,
@@ -177,9 +184,9 @@ class _Run:
             folders=self.plan.folders,
             names=self.plan.names,
             seconds=seconds,
-            notes=self.plan.notes,
+            notes=(*self.plan.notes, *self.notes),
             counts=self._counts(),
-            made=tuple(self.made),
+            made=tuple(sorted(self.made, key=lambda each: order[each.path])),
         )
 
     def _counts(self) -> tuple[FileCount, ...]:

@@ -36,6 +36,8 @@ class Painters:
         Asked within a frame that takes minutes.
     are_two
         Whether there may be a second.
+    processes
+        How many processes draw, each with painters of its own, and share what memory there is.
     """
 
     cels: CelCache
@@ -44,6 +46,7 @@ class Painters:
     stops: Cancelled
     keeps_opacity: bool = False
     are_two: bool = False
+    processes: int = 1
     _open_another: OpenContext | None = field(default=None, init=False)
 
     @contextmanager
@@ -71,7 +74,8 @@ class Painters:
     def _drawing(self) -> Iterator[Draw]:
         # What a renderer may keep is shared by as many as there are.
         whole = Budgets()
-        part = Budgets(whole.shadows // 2, whole.mattes // 2) if self.are_two else whole
+        sharers = 2 if self.are_two else self.processes
+        part = Budgets(whole.shadows // sharers, whole.mattes // sharers)
         renderer = Renderer(self.cels, budgets=part)
         renderer.stop_when(self.stops)
         painter = Painter(renderer, self.cels, self.depth, self.keeps_opacity)

@@ -61,7 +61,7 @@ class ExportRequest:
     skip_existing
         Whether to trust frames that an earlier export has finished and that would come out the same.
     workers
-        Threads that decode and encode; drawing has its own.
+        Threads that decode and encode; drawing has its own. They are shared by processes where those can be forked.
     keep_going
         Whether the other frames are made when a drawing cannot be read.
     once
@@ -192,7 +192,7 @@ class Summary:
     counts
         The files by what they are.
     made
-        The files that are there, in the order in which they were made or found.
+        The files that are there, in the order of their pictures.
     """
 
     files: int

@@ -8,7 +8,6 @@ from kagezou.errors import InputProblem
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
 from kagezou.io.pixels.signatures import is_psd
-from kagezou.io.psd.file import psd_notes
 from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.message import Message
 
@@ -90,6 +89,13 @@ def _of_drawing(drawing: Drawing) -> tuple[Path, tuple[Message, ...]] | Message:
     """Return what is said of a drawing's file, or why it cannot be read."""
     try:
         own = probe(drawing.source).notes
-        return drawing.path, (*own, *(psd_notes(drawing.path) if is_psd(drawing.path) else ()))
+        return drawing.path, (*own, *(_notes_on_psd(drawing.path) if is_psd(drawing.path) else ()))
     except InputProblem as problem:
         return problem.message
+
+
+def _notes_on_psd(path: Path) -> tuple[Message, ...]:
+    # Its reader takes as long to be imported as two frames to be drawn.
+    from kagezou.io.psd.file import psd_notes
+
+    return psd_notes(path)

@@ -4,11 +4,12 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, qVersion
 from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from kagezou.document.model import Document
+from kagezou.io.files.crash_reports import left_by_dead
 from kagezou.io.project.recovery_file import RecoveredWork
 from kagezou.ui.project.autosave import Autosave
 from kagezou.ui.project.demo import MakeDemo
@@ -27,6 +28,7 @@ from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.unforeseen import UnforeseenErrors, log
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.main_window import MainWindow
+from kagezou.ui.window.wiring.crashes import say_incident, say_last_end
 from kagezou.version import __version__
 
 _KEEPING = "autosave"
@@ -49,7 +51,8 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     incidents = UnforeseenErrors()
     incidents.watch()
     program = Application(application, Settings(), make_demo)
-    incidents.happened.connect(program.say)
+    incidents.about = program.about_now
+    incidents.happened.connect(lambda sentence: say_incident(program.window.parts, sentence, incidents.report))
     # Whatever went wrong, the work so far is not to go with it.
     incidents.happened.connect(lambda _: program.keep_after_incident())
     ends = EndSignals()
@@ -62,6 +65,8 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     program.show()
     if project is not None:
         program.window.parts.project.open_path(project)
+    for report in left_by_dead()[:1]:
+        say_last_end(program.window.parts, report)
     program.offer_recovery()
     code = application.exec()
     program.put_away()
@@ -125,6 +130,13 @@ class Application:
         """Put the work aside, and write down beside what went wrong where it lies."""
         self.autosave.keep()
         log.info("unsaved work is kept in %s", self.autosave.file)
+
+    def about_now(self) -> list[str]:
+        """Return what a report of a crash says of the work and of what draws it."""
+        return [
+            f"Qt {qVersion()}, graphics: {self.window.parts.viewport.device or 'none'}",
+            f"unsaved work is kept in: {self.autosave.file}",
+        ]
 
     def offer_recovery(self) -> None:
         """Ask about work that a program put aside and did not come back for, if there is any."""

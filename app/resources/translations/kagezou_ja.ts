@@ -2050,8 +2050,20 @@
         <translation>閉じる</translation>
     </message>
     <message>
+        <source>Kagezou crashed the last time. What is known of it is in %1</source>
+        <translation>前回 Kagezou が異常終了しました。わかっている内容：%1</translation>
+    </message>
+    <message>
         <source>The report is on the clipboard. It holds names of files from the log: read it before you send it</source>
         <translation>レポートをクリップボードにコピーしました。ログのファイル名を含みます。送る前に内容をご確認ください</translation>
+    </message>
+    <message>
+        <source>Copy Report</source>
+        <translation>レポートをコピー</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation type="unfinished">フォルダーを表示</translation>
     </message>
     <message>
         <source>Drawings in memory: %1 of %2. Free memory: %3</source>
@@ -5164,6 +5176,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>a number has 1 to {most} digits, not {digits}</source>
         <translation>番号の桁数は 1 から {most} までです（{digits} は使えません）</translation>
+    </message>
+    <message>
+        <source>a process that shared the work ended by itself; {count} pictures were made again</source>
+        <translation>作業を分担していたプロセスが途中で終了しました。{count} 枚の画像を作り直しました</translation>
     </message>
     <message>
         <source>a scene with a column for each layer</source>

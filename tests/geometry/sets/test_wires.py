@@ -16,6 +16,7 @@ from kagezou.geometry.sets.measures import Measures, PieceKind
 from kagezou.geometry.sets.shapes import stand_on
 from kagezou.geometry.sets.wires import RIM_PARTS, Wire, wires_of
 from kagezou.geometry.vectors import Matrix, Vector4
+from tests.effort import tries
 
 STEPS_WALKED = 500
 
@@ -56,7 +57,7 @@ def is_one_part_of_a_rim(wire: Wire, measures: Measures) -> bool:
     return measures.kind in {"cylinder", "sphere"} and len(wire.points) == 2 and dist(*wire.points) < 1.01 * chord
 
 
-@settings(max_examples=60)
+@settings(max_examples=tries(20, 60))
 @given(
     st.sampled_from([kind for kind in PieceKind if kind not in (PieceKind.WALL, PieceKind.MESH)]),
     # A face that is seen edge-on may be either.

@@ -23,6 +23,7 @@ from kagezou.io.psd import file as psd_file
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.tree import addressed
 from kagezou.picture_source import PicturePart, PictureSource
+from tests.effort import tries
 from tests.psd_files import SIZE, Folder, Leaf, block, figure, on_canvas, write_flat, write_psd
 
 OFFSETS = [(4, 6), (-9, -11), (55, 30), (-100, 0), (0, 200)]
@@ -228,7 +229,7 @@ def test_a_truncated_file_is_a_sentence_or_a_result(tmp_path: Path, whole: bytes
         _damaged(tmp_path / "a.psd", whole[:length])
 
 
-@settings(max_examples=120, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(35, 120), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_fuzzed_bytes_are_a_sentence_or_a_result(tmp_path: Path, whole: bytes, data: st.DataObject) -> None:
     changed = bytearray(whole)
@@ -243,7 +244,7 @@ def test_fuzzed_bytes_are_a_sentence_or_a_result(tmp_path: Path, whole: bytes, d
 
 
 @given(st.binary(max_size=400))
-@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(20, 60), suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_garbage_is_a_sentence(tmp_path: Path, garbage: bytes) -> None:
     _damaged(tmp_path / "a.psd", garbage)
     _damaged(tmp_path / "a.psd", b"8BPS\0\1" + garbage)

@@ -20,6 +20,7 @@ from kagezou.io.pixels.layers import LayeredImage, LayerPart
 from kagezou.io.psd.file import psd_tree
 from kagezou.io.psd.writing import packed_psd
 from kagezou.picture_source import PicturePart
+from tests.effort import tries
 
 DTYPES = {8: np.uint8, 16: np.uint16}
 
@@ -68,7 +69,7 @@ def images(draw: st.DrawFn) -> LayeredImage:
 
 
 @given(images())
-@settings(max_examples=80, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(25, 80), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_what_is_written_is_read_back(tmp_path: Path, image: LayeredImage) -> None:
     path = tmp_path / "a.psd"
     write_layered(path, image)

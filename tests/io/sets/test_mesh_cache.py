@@ -16,6 +16,7 @@ from kagezou.errors import InputProblem
 from kagezou.io.files.file_stamp import FileStamp
 from kagezou.io.sets import bounded_bytes, mesh_cache
 from kagezou.io.sets.mesh_cache import MeshCache, SetContents, is_mesh, read_set
+from tests.effort import tries
 from tests.io.sets import set_files
 from tests.io.sets.mesh_files import TRIANGLE, glb, gltf, tree_with, triangle_tree
 
@@ -200,7 +201,7 @@ def test_what_is_no_file_is_one_sentence(tmp_path: Path) -> None:
     assert not is_mesh(Path("x.png"))
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(20, 60), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_a_damaged_file_is_a_set_or_a_sentence(tmp_path: Path, data: st.DataObject) -> None:
     path = glb(tmp_path / "a.glb", *triangle_tree())

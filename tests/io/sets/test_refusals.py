@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from kagezou.errors import InputProblem
 from kagezou.io.sets.mesh_cache import read_set
 from kagezou.io.sets.triangle_count import MAX_TRIANGLES
+from tests.effort import tries
 from tests.io.sets import set_files as files
 from tests.io.sets.set_files import GltfFile
 
@@ -238,7 +239,7 @@ def _reads_or_refuses(path: Path) -> None:
         assert 0 <= mesh.triangles.min() <= mesh.triangles.max() < len(mesh.vertices)
 
 
-@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(40, 150), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(at=st.lists(st.tuples(st.integers(0, len(CUBE) - 1), st.integers(0, 255)), max_size=6), cut=st.integers(0, 40))
 @example(at=[(20, 0)], cut=0)
 def test_changed_bytes_give_a_set_or_a_sentence(tmp_path: Path, at: list[tuple[int, int]], cut: int) -> None:
@@ -255,7 +256,7 @@ _SCRAPS = st.recursive(
 )
 
 
-@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(40, 150), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_changed_trees_give_a_set_or_a_sentence(tmp_path: Path, data: st.DataObject) -> None:
     made = files.cube_file()
@@ -272,7 +273,7 @@ def test_changed_trees_give_a_set_or_a_sentence(tmp_path: Path, data: st.DataObj
     _reads_or_refuses(files.written(tmp_path / "set.glb", files.glb_of(text, made.binary)))
 
 
-@settings(max_examples=80, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(25, 80), suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     base=st.sampled_from([("a.obj", files.CUBE_OBJ.encode()), ("a.ply", files.CUBE_PLY.encode()),
                           ("a.stl", files.CUBE_STL)]),

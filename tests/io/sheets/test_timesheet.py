@@ -12,6 +12,7 @@ from kagezou.io.sheets.reading import read_timesheet
 from kagezou.io.sheets.timesheet import SheetTrack, Timesheet
 from kagezou.io.sheets.xdts import sheets_of
 from kagezou.io.sheets.xdts_writing import write_xdts, xdts_text
+from tests.effort import tries
 
 FIRST_XDTS = b"exchangeDigitalTimeSheet Save Data\n"
 FIRST_TDTS = b"toeiDigitalTimeSheet Save Data\n"
@@ -84,7 +85,7 @@ def test_columns_of_sts_without_names_have_letters(tmp_path: Path) -> None:
     assert [track.name for track in read_timesheet(tmp_path / "a.sts").tracks] == ["A", "B"]
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=tries(40, 150), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     whole=st.sampled_from([xdts_text(Timesheet("c", 24, (SheetTrack("A", ((0, "1"),)),))).encode(), tdts()]),
     cut=st.integers(0, 400),

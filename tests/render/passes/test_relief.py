@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from kagezou.geometry.shadow import cast_card
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import Scene, ShadowCast
+from tests.effort import tries
 from tests.render.reference import blurred, raycast, set_raycast
 from tests.render.reference.figures import figure_alpha, standing, with_values, write_figure
 from tests.render.reference.mesh_scenes import Array
@@ -74,10 +76,10 @@ def random_scene(figure: Path, seed: int, pieces: Mapping[str, Values] | None = 
 
 def agreement(got: Array, cast: ShadowCast) -> Agreement:
     art = raycast.Art(figure_alpha() / 255)
-    return Agreement.by_rays(got, lambda rays: raycast.coverage(cast, art, got, rays), *RAYS)
+    return Agreement.by_rays(got, partial(raycast.coverage, cast, art, got), *RAYS)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(tries(4, 10)))
 def test_the_closed_form_agrees_with_rays_on_the_same_surface(renderer: Renderer, figure: Path, seed: int) -> None:
     scene = random_scene(figure, seed)
     got = drawn(renderer, scene)
@@ -104,7 +106,7 @@ def test_four_lights_unite(renderer: Renderer, figure: Path) -> None:
     assert agreement(drawn(renderer, scene), cast_of(scene)).is_right
 
 
-@pytest.mark.parametrize("seed", [21, 22, 23])
+@pytest.mark.parametrize("seed", [21, 22, 23][: tries(1, 3)])
 def test_the_depth_map_agrees(renderer: Renderer, figure: Path, seed: int) -> None:
     scene = random_scene(figure, seed)
     first = scene.layers[0]
@@ -116,7 +118,7 @@ def test_the_depth_map_agrees(renderer: Renderer, figure: Path, seed: int) -> No
 
 
 @pytest.mark.parametrize("pieces", [WALL, BALL], ids=["wall", "ball"])
-@pytest.mark.parametrize("seed", [30, 32])
+@pytest.mark.parametrize("seed", [30, 32][: tries(1, 2)])
 def test_shadows_on_set_pieces_agree_with_rays(
     renderer: Renderer, figure: Path, pieces: dict[str, Values], seed: int
 ) -> None:

@@ -1,6 +1,7 @@
 """Characters drawn by the tests: limbs, a head and thin hair, anti-aliased or binary, as straight RGBA."""
 
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +32,11 @@ STROKES = (
 
 def figure_alpha(size: int = SIZE, *, binary: bool = False, moved: Placement | None = None) -> NDArray[np.uint8]:
     """A standing figure (size, size); feet at y = 900 of 1000; drawn anew where an even placement moves it."""
+    return _drawn(size, moved, binary=binary).copy()
+
+
+@cache
+def _drawn(size: int, moved: Placement | None, *, binary: bool) -> NDArray[np.uint8]:
     scale = size / SIZE
     y, x = (np.mgrid[0:size, 0:size] + 0.5) / scale
     if moved is not None:

@@ -1,7 +1,8 @@
 """The float64 reference: every ray followed in the world, sharing no formula with the renderer's homographies."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from math import radians, sin
 
 import numpy as np
@@ -12,6 +13,9 @@ from kagezou.geometry.vectors import Vector4
 from kagezou.scene.scene import Received, ShadowCast
 
 Array = NDArray[np.float64]
+
+SETTLED = 0.005
+"""Where few rays and what is judged differ by no more, it is left at that: so much is the noise of the rays."""
 
 
 @dataclass(frozen=True)
@@ -97,12 +101,15 @@ def _grazing(light: Vector4, point: Array, cast: ShadowCast) -> Array:
     return np.asarray(t * t * (3 - 2 * t))
 
 
-def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160) -> Array:
+def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160, before: Array | None = None) -> Array:
     """Return the covered part of every pixel, of the shape of ``hint`` (H, W), which is what is to be judged.
 
     One ray a pixel in the box that the hint covers, and one in every few beyond it, find where there is shadow;
-    pixels near an edge, and those where the hint says otherwise, get ``rays`` each.
+    pixels near an edge, and those where the hint says otherwise, get ``rays`` each. Of a reference of fewer rays,
+    ``before``, only what is in doubt is cast anew.
     """
+    if before is not None:
+        return refined(partial(shade, cast, art), hint, rays, before)
     height, width = hint.shape
     result = np.zeros_like(hint)
     rows, columns = np.nonzero(hint.any(axis=1))[0], np.nonzero(hint.any(axis=0))[0]
@@ -118,6 +125,15 @@ def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160) -> Array:
     px, py = x[fine], y[fine]
     coarse[fine] = sum(shade(cast, art, px + dx, py + dy) for dx, dy in spread(rays)) / rays
     result[top:bottom, left:right] = coarse
+    return result
+
+
+def refined(shading: Callable[[Array, Array], Array], hint: Array, rays: int, before: Array) -> Array:
+    """Return a reference (H, W) with ``rays`` a pixel where it is in doubt whether it or ``hint`` is right."""
+    doubted = np.abs(before - hint) > SETTLED
+    y, x = np.nonzero(doubted)
+    result = before.copy()
+    result[doubted] = sum(shading(x + dx, y + dy) for dx, dy in spread(rays)) / rays
     return result
 
 
@@ -164,13 +180,23 @@ def received_at(received: Received, caster: ShadowCast, arts: tuple[Art, Art], x
     return total
 
 
-def received(found: Received, caster: ShadowCast, arts: tuple[Art, Art], hint: Array, rays: int = 160) -> Array:
+def received(
+    found: Received,
+    caster: ShadowCast,
+    arts: tuple[Art, Art],
+    hint: Array,
+    rays: int = 160,
+    before: Array | None = None,
+) -> Array:
     """Return the part of every pixel of a character (H, W) that another shades, cut to the character's alpha.
 
     As in :func:`coverage`, pixels near an edge and those where ``hint``, what is to be judged, says otherwise get
-    ``rays`` each, all others one.
+    ``rays`` each, all others one. Of a reference of fewer rays, ``before``, only what is in doubt is cast anew.
     """
     alpha = arts[0].alpha
+    if before is not None:
+        shading = partial(received_at, found, caster, arts)
+        return refined(lambda x, y: shading(x, y) * alpha[np.int64(y), np.int64(x)], hint, rays, before)
     height, width = alpha.shape
     y, x = np.mgrid[0:height, 0:width].astype(np.float64)
     part = received_at(found, caster, arts, x + 0.5, y + 0.5)

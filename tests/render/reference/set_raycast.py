@@ -200,12 +200,17 @@ def own_shade(world: World, lights: tuple[Vector4, ...], x: Array, y: Array) -> 
     return np.where(seen.body == NOTHING, 0.0, total)
 
 
-def coverage(shading: Callable[[Array, Array], Array], hint: Array, rays: int = 160) -> Array:
+def coverage(
+    shading: Callable[[Array, Array], Array], hint: Array, rays: int = 160, before: Array | None = None
+) -> Array:
     """Return the covered part of every pixel, of the shape of ``hint`` (H, W), which is what is to be judged.
 
     One ray a pixel where the hint holds any, and one in every few beyond, find where there is shadow; pixels near an
-    edge, and those where the hint says otherwise, get ``rays`` each.
+    edge, and those where the hint says otherwise, get ``rays`` each. Of a reference of fewer rays, ``before``, only
+    what is in doubt is cast anew.
     """
+    if before is not None:
+        return raycast.refined(shading, hint, rays, before)
     height, width = hint.shape
     rows, columns = np.nonzero(hint.any(axis=1))[0], np.nonzero(hint.any(axis=0))[0]
     top, bottom = max(rows[0] - 8, 0), min(rows[-1] + 9, height)

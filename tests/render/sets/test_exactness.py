@@ -1,6 +1,7 @@
 """Sets against float64 rays: every kind of piece, as receiver, as blocker, and with a shadow of its own."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from itertools import pairwise
 from math import radians, sin
 from pathlib import Path
@@ -59,7 +60,7 @@ def own_rays_of(scene: Scene) -> Callable[[Array, Array], Array]:
 
 def judged(got: Array, rays: Callable[[Array, Array], Array]) -> Agreement:
     """Compare with rays; with more of them where few leave it in doubt."""
-    return Agreement.by_rays(got, lambda count: set_raycast.coverage(rays, got, count), 40, 240)
+    return Agreement.by_rays(got, partial(set_raycast.coverage, rays, got), 40, 240)
 
 
 def random_piece(rng: np.random.Generator, kind: str) -> dict[str, object]:

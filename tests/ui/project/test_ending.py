@@ -1,10 +1,11 @@
 """The program ends without anybody being asked: killed at any moment of a recovery, or told to end by the system."""
 
+import json
 import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
@@ -32,7 +33,7 @@ HOUR_S = 3600
 on_posix = pytest.mark.skipif(os.name != "posix", reason="these signals are POSIX's")
 
 RECOVERING = """
-import os, signal, sys
+import json, os, signal, sys
 from pathlib import Path
 from PySide6.QtCore import QSettings
 from kagezou.io.files import atomic
@@ -43,8 +44,6 @@ from kagezou.ui.project.keepsakes import Keepsakes
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system.settings import Settings
-
-folder, point = Path(sys.argv[1]), sys.argv[2]
 
 def die(*_, **__):
     print("at the point", flush=True)
@@ -78,16 +77,26 @@ points = {
     "after the old file is gone": lambda: die_after(recovery_file, "remove_file"),
     "when all is done": lambda: die_after(Autosave, "wait"),
 }
-application = make_application()
-store = QSettings(str(folder / "other.ini"), QSettings.Format.IniFormat)
-program = Application(application, Settings(store, folder / "styles", folder / "unsaved", None, folder / "spare"))
-program.show()
-program.offer_recovery()
-dialog = program.window.findChild(RecoveryDialog)
-points[point]()
-dialog.recover_button.click()
-program.autosave.wait()
+
+def recover(folder, point):
+    application = make_application()
+    store = QSettings(str(folder / "other.ini"), QSettings.Format.IniFormat)
+    program = Application(application, Settings(store, folder / "styles", folder / "unsaved", None, folder / "spare"))
+    program.show()
+    program.offer_recovery()
+    dialog = program.window.findChild(RecoveryDialog)
+    points[point]()
+    dialog.recover_button.click()
+    program.autosave.wait()
+
+for line in sys.stdin:
+    child = os.fork()
+    if not child:
+        recover(*json.loads(line, object_hook=lambda given: (Path(given["folder"]), given["point"])))
+        os._exit(0)
+    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
 """
+"""A program for each line it is given, out of one that has imported all there is to import."""
 
 POINTS = [
     "before the project is replaced",
@@ -163,6 +172,14 @@ def left(filled: OpenProject, settings: Settings, tmp_path: Path) -> Left:
     return Left(work, project, settings)
 
 
+@pytest.fixture(scope="module")
+def recovering() -> Iterator[subprocess.Popen[str]]:
+    """What starts programs that recover, and are killed."""
+    command = [sys.executable, "-c", RECOVERING]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as programs:
+        yield programs
+
+
 def started(settings: Settings) -> Application:
     application = QApplication.instance()
     assert isinstance(application, QApplication)
@@ -182,10 +199,15 @@ def recover(qtbot: QtBot, program: Application) -> None:
 class TestRecovery:
     @on_posix
     @pytest.mark.parametrize("point", POINTS)
-    def test_killed_at_any_moment_it_is_offered_again(self, left: Left, tmp_path: Path, point: str) -> None:
-        command = [sys.executable, "-c", RECOVERING, str(tmp_path), point]
-        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
-        assert (done.returncode, done.stdout) == (-signal.SIGKILL, "at the point\n")
+    def test_killed_at_any_moment_it_is_offered_again(
+        self, left: Left, tmp_path: Path, point: str, recovering: subprocess.Popen[str]
+    ) -> None:
+        assert recovering.stdin is not None
+        assert recovering.stdout is not None
+        recovering.stdin.write(json.dumps({"folder": str(tmp_path), "point": point}) + "\n")
+        recovering.stdin.flush()
+        lines = [recovering.stdout.readline().strip(), recovering.stdout.readline().strip()]
+        assert lines == ["at the point", str(-signal.SIGKILL)]
         files = left_behind(left.settings.recovery_folder, left.settings.spare_recovery_folder)
         assert files, "all is gone"
         for file in files:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QGuiApplication, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from kagezou.errors import InputProblem
+from kagezou.io.files import crash_reports
 from kagezou.message import Message
 from kagezou.ui.application import Application
 from kagezou.ui.system import unforeseen
@@ -75,14 +76,17 @@ def test_unforeseen_errors_are_written_down_and_said(
     qapp: QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(unforeseen, "user_log_path", lambda *_, **__: tmp_path)
+    monkeypatch.setattr(crash_reports, "log_folder", lambda: tmp_path)
     hooks = sys.excepthook, threading.excepthook
     watching = unforeseen.UnforeseenErrors()
     said: list[str] = []
     watching.happened.connect(said.append)
+    watching.about = lambda: ["unsaved work is kept in: /elsewhere"]
     handlers = list(unforeseen.log.handlers)
     try:
         watching.watch()
-        sys.excepthook(ValueError, ValueError("a defect"), None)
+        for _ in range(3):
+            sys.excepthook(ValueError, ValueError("a defect"), None)
         sys.excepthook(InputProblem, InputProblem(Message("A_0001.png: it is not there")), None)
         thread = threading.Thread(target=lambda: 1 / 0)
         thread.start()
@@ -95,11 +99,17 @@ def test_unforeseen_errors_are_written_down_and_said(
         for handler in set(unforeseen.log.handlers) - set(handlers):
             handler.close()
             unforeseen.log.removeHandler(handler)
-    assert len(said) == 3
+    assert len(said) == 5
     assert "a defect" in said[0]
-    assert "window.log" in said[0]
-    assert said[1] == "A_0001.png: it is not there"
-    assert "ZeroDivisionError" in said[2]
+    reports = crash_reports.reports_in(tmp_path / "crashes")
+    assert len(reports) == 2, "one of each kind, none of what was foreseen"
+    texts = {path: path.read_text(encoding="utf-8").partition("\nlog: ")[0] for path in reports}
+    (of_value,) = (path for path, written in texts.items() if "ValueError: a defect" in written)
+    assert str(of_value) in said[0]
+    assert said[0] == said[2]
+    assert "unsaved work is kept in: /elsewhere" in texts[of_value]
+    assert said[3] == "A_0001.png: it is not there"
+    assert "ZeroDivisionError" in said[4]
     text = (tmp_path / "window.log").read_text(encoding="utf-8")
     assert f"Kagezou {__version__}, Python" in text.splitlines()[0]
     assert "is sent nowhere" in text.splitlines()[0]

@@ -7,11 +7,12 @@ from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtGui import QGuiApplication, QHelpEvent
 from PySide6.QtWidgets import QApplication, QLabel
 
+from kagezou.io.files.crash_reports import LOG_NAME, write_report
 from kagezou.ui.system import support_report as reports
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.support_report import Shown, support_report
-from kagezou.ui.system.unforeseen import LOG_NAME
 from kagezou.ui.window.main_window import MainWindow
+from kagezou.ui.window.wiring.crashes import say_incident, say_last_end
 from kagezou.version import __version__
 
 SHOWN = Shown("llvmpipe", "1920 x 1080 px, 24 frames", 2, 1, 3 << 20, 512 << 20)
@@ -37,6 +38,26 @@ def test_home_is_left_out_of_the_report(settings: Settings, tmp_path: Path, monk
 
 def test_without_a_log_the_report_says_why(settings: Settings, tmp_path: Path) -> None:
     assert "(it cannot be read: No such file or directory)" in support_report(SHOWN, settings, tmp_path / "none")
+
+
+def test_the_report_ends_with_the_last_crash(settings: Settings, tmp_path: Path) -> None:
+    write_report("ValueError: older", [], tmp_path / "crashes")
+    assert "ValueError: older" in support_report(SHOWN, settings, tmp_path)
+
+
+def test_a_crash_is_said_and_its_report_can_be_copied(window: MainWindow, tmp_path: Path) -> None:
+    report = write_report("ValueError: a defect", ["graphics: llvmpipe"], tmp_path)
+    say_last_end(window.parts, report)
+    assert str(report) in window.parts.bar.text
+    copy, _folder = window.parts.bar.offered
+    copy.click()
+    assert "ValueError: a defect" in QGuiApplication.clipboard().text()
+    say_incident(window.parts, "Something went wrong", None)
+    assert window.parts.bar.offered == [], "nothing is offered where no report could be written"
+    say_incident(window.parts, "Something went wrong", report)
+    report.unlink()
+    window.parts.bar.offered[0].click()
+    assert "No such file" in window.parts.status.currentMessage()
 
 
 def test_the_help_menu_copies_the_report(walking: MainWindow) -> None:

@@ -2,11 +2,8 @@
 
 import importlib.util
 import shutil
-import subprocess
 import sys
-import time
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -14,14 +11,16 @@ from typing import Final
 
 import numpy as np
 
+from kagezou.cli.bench.whole_processes import Spent, taken
 from kagezou.document.address import resolve
 from kagezou.document.edits import set_constant
 from kagezou.document.model import Document
-from kagezou.errors import OutputProblem, UsageProblem
+from kagezou.errors import UsageProblem
 from kagezou.geometry.vectors import Matrix
 from kagezou.importing.staging import CharacterSource, new_document
 from kagezou.io.project.file import save
 from kagezou.message import Message
+from kagezou.own_process import program_words
 from kagezou.scene.evaluate import evaluate
 
 PAIRS: Final = 5
@@ -33,8 +32,6 @@ _FFMPEG_SIGMA_PX: Final = 13.0
 
 _GAIN: Final = 2.5066
 """How steep a Gaussian's blurred edge is made again, times its standard deviation: √(2π)."""
-
-_LIMIT_S: Final = 600.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,12 +59,6 @@ class Compared:
     cpu: float | None
 
 
-@dataclass(frozen=True, slots=True)
-class _Taken:
-    wall_s: float
-    cpu_s: float
-
-
 def compared(drawings: Path, folder: Path, pairs: int = PAIRS) -> tuple[tuple[Compared, ...], tuple[str, ...]]:
     """Return how an export compares with each peer that is found here, and the names of those that are not.
 
@@ -89,8 +80,7 @@ def compared(drawings: Path, folder: Path, pairs: int = PAIRS) -> tuple[tuple[Co
     """
     document = _plain(drawings)
     save(document, folder / "peers.kage")
-    own = [sys.executable] if getattr(sys, "frozen", False) else [sys.executable, "-m", "kagezou"]
-    ours = Peer("kagezou", (*own, "render", str(folder / "peers.kage"), "-o", str(folder / "ours")))
+    ours = Peer("kagezou", (*program_words(), "render", str(folder / "peers.kage"), "-o", str(folder / "ours")))
     found = {each.name: each for each in _peers(document, drawings, folder)}
     missing = tuple(name for name in ("ffmpeg", "OpenCV") if name not in found)
     return tuple(_against(ours, each, pairs) for each in found.values()), missing
@@ -147,30 +137,11 @@ def _graph(canvas_from_art: Matrix, width: int, height: int) -> str:
 
 def _against(ours: Peer, other: Peer, pairs: int) -> Compared:
     """Time two programs in turn, once for nothing."""
-    taken = [(_taken(ours), _taken(other)) for _ in range(pairs + 1)][1:]
-    walls = [mine.wall_s / theirs.wall_s for mine, theirs in taken]
-    cpus = [mine.cpu_s / theirs.cpu_s for mine, theirs in taken if theirs.cpu_s > 0]
+    both = [(_taken(ours), _taken(other)) for _ in range(pairs + 1)][1:]
+    walls = [mine.wall_s / theirs.wall_s for mine, theirs in both]
+    cpus = [mine.cpu_s / theirs.cpu_s for mine, theirs in both if theirs.cpu_s > 0]
     return Compared(other.name, median(walls), median(cpus) if cpus else None)
 
 
-def _taken(peer: Peer) -> _Taken:
-    before, started = _children_s(), time.perf_counter()
-    try:
-        done = subprocess.run(peer.command, capture_output=True, check=False, timeout=_LIMIT_S)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise OutputProblem(Message("{name} cannot be timed: {error}", name=peer.name, error=error)) from error
-    wall = time.perf_counter() - started
-    if done.returncode:
-        said = (done.stderr.decode("utf-8", "replace").strip().splitlines() or ["?"])[-1]
-        raise OutputProblem(Message("{name} cannot be timed: {error}", name=peer.name, error=said))
-    return _Taken(wall, _children_s() - before)
-
-
-def _children_s() -> float:
-    """Return what ended children took of the processor so far, s; always 0 where the system does not tell."""
-    with suppress(ImportError):
-        import resource
-
-        used = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return used.ru_utime + used.ru_stime
-    return 0.0
+def _taken(peer: Peer) -> Spent:
+    return taken(peer.name, peer.command)

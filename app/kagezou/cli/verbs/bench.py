@@ -15,6 +15,7 @@ from kagezou.message import Message
 if TYPE_CHECKING:
     from kagezou.cli.bench.operations import Measured
     from kagezou.cli.bench.peers import Compared
+    from kagezou.cli.bench.scale import Grown
     from kagezou.cli.bench.throughput import Throughput
     from kagezou.document.model import Document
     from kagezou.io.images.cel_cache import CelCache
@@ -28,6 +29,8 @@ EXAMPLES = """\
   kagezou bench --input drawings/hero
   kagezou bench --peers        beside other programs that do the same
   kagezou bench --window
+  kagezou bench --scale        2,000 frames, 60 layers, 4K: takes minutes
+  kagezou bench --profile export.svg        where the time of an export goes
 """
 DEFAULT_SIZE = (1000, 1000)
 
@@ -47,18 +50,38 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "--window", action="store_true", help="measure the window instead, by events of the X server: drags and playing"
     )
+    parser.add_argument(
+        "--scale",
+        action="store_true",
+        help="measure instead how time and memory grow with frames, layers, pixels, cuts and workers on one folder",
+    )
+    parser.add_argument(
+        "--profile",
+        type=Path,
+        metavar="FILE.svg",
+        help="write instead a flame graph of an export, all its processes and threads; needs py-spy",
+    )
     parser.add_argument("--json", action="store_true", help="print one object")
 
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Measure and report."""
+    if options.window:
+        return _measure_window(options, entry_points)
+    if options.scale:
+        return _measure_scale(options)
+    if options.profile is not None:
+        return _profile(options)
+    return _measure(options, entry_points)
+
+
+def _measure(options: Namespace, entry_points: EntryPoints) -> int:
+    """Measure each operation and an export."""
     from kagezou.cli.bench import operations, throughput
     from kagezou.cli.bench.hills import write_hills
     from kagezou.io.images.cel_cache import CelCache
     from kagezou.render.renderer import Renderer
 
-    if options.window:
-        return _measure_window(options, entry_points)
     workers = options.workers or processors()
     with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
         document = _document(options, Path(folder), workers)
@@ -121,6 +144,49 @@ def _measure_window(options: Namespace, entry_points: EntryPoints) -> int:
     return 0
 
 
+def _measure_scale(options: Namespace) -> int:
+    """Measure how an export grows and report."""
+    from kagezou.cli.bench.scale import grown
+
+    measured: list[Json] = []
+    with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder, ProgressLine("measuring", unit=None) as line:
+        drawings = _drawings(options, Path(folder), options.workers or processors())
+        for each in grown(drawings, Path(folder), line.update):
+            line.wipe()
+            measured.append(_growth(each))
+            if not options.json:
+                _give_growth(each)
+    if options.json:
+        give_json({"scale": measured})
+    return 0
+
+
+def _growth(each: "Grown") -> Json:
+    rows: list[Json] = [
+        {"size": size, "seconds": round(took.wall_s, 3), "cpu": round(took.cpu_s, 3), "peak_bytes": took.peak_bytes}
+        for size, took in zip(each.sizes, each.took, strict=True)
+    ]
+    return {"name": each.name, "rows": rows, "times": round(each.times, 3), "memory": round(each.memory, 3)}
+
+
+def _give_growth(each: "Grown") -> None:
+    for count, took in zip(each.sizes, each.took, strict=True):
+        memory = f", {took.peak_bytes >> 20} MB" if took.peak_bytes else ""
+        give(f"{count:>6} {each.name:<8} {took.wall_s:8.2f} s, {took.cpu_s:.2f} s of processors{memory}")
+    words = f"{each.sizes[-1] / each.sizes[0]:g} times the {each.name}: {each.times:.2f} times the time"
+    give(f"{words}, {each.memory:.2f} times the memory")
+
+
+def _profile(options: Namespace) -> int:
+    """Write where the time of an export goes."""
+    from kagezou.cli.bench.flame_graph import write_flame_graph
+
+    with tempfile.TemporaryDirectory(prefix="kagezou-bench-") as folder:
+        write_flame_graph(_document(options, Path(folder), options.workers or processors()), options.profile)
+    give(str(options.profile))
+    return 0
+
+
 def _compared(document: "Document", folder: Path) -> "tuple[tuple[Compared, ...], tuple[str, ...]]":
     """Compare with other programs, on the drawings of the first layer."""
     from kagezou.cli.bench.peers import compared
@@ -177,15 +243,21 @@ def _rates(export: "Throughput") -> dict[str, Json]:
 
 def _document(options: Namespace, folder: Path, workers: int) -> "Document":
     """Return the document to measure with: one layer of the drawings given, or of the demo's."""
-    from kagezou.cli.demo.stage import make_drawings
     from kagezou.importing.staging import CharacterSource, new_document
 
-    source, canvas = options.input, options.size
-    if source is None:
-        source, canvas = folder / "drawings", canvas or DEFAULT_SIZE
-        with ProgressLine("drawing") as line:
-            make_drawings(source, workers, line.update)
-    return new_document([CharacterSource("Character", source)], size=canvas).document
+    canvas = options.size or (DEFAULT_SIZE if options.input is None else None)
+    return new_document([CharacterSource("Character", _drawings(options, folder, workers))], size=canvas).document
+
+
+def _drawings(options: Namespace, folder: Path, workers: int) -> Path:
+    """Return the folder of the drawings given, or of the demo's, which are made in a folder."""
+    from kagezou.cli.demo.stage import make_drawings
+
+    if options.input is not None:
+        return Path(options.input)
+    with ProgressLine("drawing") as line:
+        make_drawings(folder / "drawings", workers, line.update)
+    return folder / "drawings"
 
 
 def _pair(options: Namespace, folder: Path, workers: int) -> "Document":

@@ -14,7 +14,7 @@ from kagezou.own_process import program_words
 
 DESCRIPTION = """\
 Say what this machine has and what it lacks: versions, OpenGL, picture formats, folders, what is a studio's own,
-encodings. Ends with 0 where shadows can be rendered, else with 6."""
+encodings, crashes. Ends with 0 where shadows can be rendered, else with 6."""
 EXAMPLES = """\
   kagezou doctor
   kagezou doctor --json
@@ -47,6 +47,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         "folders": examination.folders(),
         "studio": examination.studio(),
         "text": examination.text(),
+        "crashes": examination.crashes(),
     }
     can_render = "renderer" in graphics
     missing = [*examination.advice(report, can_render=can_render)]

@@ -1,14 +1,15 @@
 """``kagezou render``: shadow layers and composites as numbered frames."""
 
 from argparse import Namespace
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
-from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.interruption import Interruption, stopping_gently
 from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.reporting import report, verdict
@@ -20,7 +21,9 @@ from kagezou.message import Message
 if TYPE_CHECKING:
     from kagezou.document.model import Document
     from kagezou.export.after.manifest import Handover
-    from kagezou.export.request import Cancelled, ExportRequest, Summary
+    from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
+
+_WORTH_SHARING: Final = 12
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -113,18 +116,8 @@ def _add_running(parser: Parser) -> None:
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
     from kagezou.export.after.hooks import check_command
-    from kagezou.render.gpu.context import loading_driver
 
     check_command(options.after)
-    with loading_driver():
-        return _render(options, entry_points)
-
-
-def _render(options: Namespace, entry_points: EntryPoints) -> int:
-    from kagezou.export.frames import export_frames
-    from kagezou.importing.file_notes import notes_on_shown
-    from kagezou.scene.heavy_sets import heavy_words
-
     form = options.format or ("psd" if options.layered else "png")
     depth, said = _depth(options, form)
     request = _request(options, form, depth)
@@ -136,12 +129,7 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
             if isinstance(lines, JobLines) and said is not None:
                 lines.say(said)
             document = _document(options)
-            if (words := heavy_words(document)) is not None:
-                note(words)
-            summary = export_frames(document, request, entry_points.open_context, line.update, interruption.is_set)
-            # Afterwards, when the files are at hand; nothing was read of what is trusted.
-            if summary.drawn:
-                summary = replace(summary, notes=(*summary.notes, *notes_on_shown(document, request.frames)))
+            summary = _made(document, request, entry_points, line.update, interruption)
             if isinstance(lines, JobLines):
                 lines.sum_up(summary)
         if not options.openjd:
@@ -149,6 +137,39 @@ def _render(options: Namespace, entry_points: EntryPoints) -> int:
         if not hand_on_export(_handover(options, document, summary), options.after, interruption.is_set):
             return interruption.exit_code
     return verdict(summary, interruption)
+
+
+def _made(
+    document: "Document",
+    request: "ExportRequest",
+    entry_points: EntryPoints,
+    progress: "Progress",
+    interruption: Interruption,
+) -> "Summary":
+    """Make the frames, and add what is to be said of the drawings they show."""
+    with _loading_driver(document, request):
+        from kagezou.export.frames import export_frames
+        from kagezou.importing.file_notes import notes_on_shown
+        from kagezou.scene.heavy_sets import heavy_words
+
+        if (words := heavy_words(document)) is not None:
+            note(words)
+        summary = export_frames(document, request, entry_points.open_context, progress, interruption.is_set)
+    # Afterwards, when the files are at hand; nothing was read of what is trusted.
+    notes = notes_on_shown(document, request.frames) if summary.drawn else ()
+    return replace(summary, notes=(*summary.notes, *notes))
+
+
+def _loading_driver(document: "Document", request: "ExportRequest") -> AbstractContextManager[None]:
+    """Load the driver beside what is still to be imported, but where processes may share the frames.
+
+    Those are forked as long as nothing of it is open.
+    """
+    from kagezou.render.gpu.context import loading_driver
+
+    frames = document.canvas.length_frames if request.frames is None else len(request.frames)
+    may_share = request.workers > 1 and frames >= _WORTH_SHARING and not document.pieces
+    return nullcontext() if may_share else loading_driver()
 
 
 def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPoints) -> int:
@@ -184,14 +205,16 @@ def _handover(options: Namespace, document: "Document", summary: "Summary") -> "
 
 def _document(options: Namespace) -> "Document":
     """Return what is rendered: the project, with its pictures where they lie here, exposed as a sheet says."""
-    from kagezou.importing.staging import with_timesheet
     from kagezou.io.project.file import load
-    from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
 
     document = load(options.project)
     if options.path_mapping is not None:
+        from kagezou.io.project.path_mapping import read_rules, with_mapped_paths
+
         document = with_mapped_paths(document, read_rules(options.path_mapping))
     if options.timesheet is not None:
+        from kagezou.importing.staging import with_timesheet
+
         timed = with_timesheet(document, options.timesheet)
         for sentence in timed.notes:
             note(sentence)

@@ -12,7 +12,6 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from importlib.metadata import entry_points
 from pathlib import Path
 from typing import IO, Final
 
@@ -152,9 +151,36 @@ def _hook(words: tuple[str, ...]) -> Hook:
 
 def _of_packages() -> Iterator[Hook]:
     """Yield the entry points, each called in a process of its own."""
+    if not _is_any_installed():
+        return
+    from importlib.metadata import entry_points
+
     module = "kagezou.export.after.entry_point"
     for each in sorted(entry_points(group=ENTRY_POINTS), key=lambda found: found.name):
         yield Hook(each.name, (*module_words(module), each.value), is_ours=True)
+
+
+def _is_any_installed() -> bool:
+    """Return whether a package may have such entry points, without what reads them, which is imported slowly.
+
+    Where Python finds modules in anything but a folder, there may be one.
+    """
+    group = f"[{ENTRY_POINTS}]".encode()
+    for place in map(Path, filter(None, sys.path)):
+        if place.is_file():
+            return True
+        with suppress(OSError):
+            for package in place.iterdir():
+                if package.suffix in {".dist-info", ".egg-info"} and group in _named_by(package):
+                    return True
+    return False
+
+
+def _named_by(package: Path) -> bytes:
+    """Return the entry points of an installed package as it writes them; nothing where it has none."""
+    with suppress(OSError):
+        return (package / "entry_points.txt").read_bytes()
+    return b""
 
 
 def _run(hook: Hook, manifest: Path, stopped: Callable[[], bool]) -> Message:

@@ -65,7 +65,7 @@ def _taken(path: Path, lock: Path, until_s: float) -> int:
             ) from error
         except OSError as error:
             raise output_problem(path, error) from error
-        if _is_locked(descriptor) and _is_same(descriptor, lock):
+        if locks(descriptor) and _is_same(descriptor, lock):
             return descriptor
         os.close(descriptor)
         if time.monotonic() > until_s:
@@ -75,7 +75,8 @@ def _taken(path: Path, lock: Path, until_s: float) -> int:
         time.sleep(_POLL_S)
 
 
-def _is_locked(descriptor: int) -> bool:
+def locks(descriptor: int) -> bool:
+    """Lock an open file as long as it is open here, and return whether it is nobody else's."""
     try:
         if sys.platform == "win32":
             import msvcrt

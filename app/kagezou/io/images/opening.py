@@ -127,8 +127,8 @@ def opened(source: PictureSource, *, whole: bool = True) -> Iterator[OpenPicture
     if form == "gif" or (form in _FILMS and address is not None):
         yield _of_film(path, address)
         return
-    if form == "png" and whole:
-        checked_format(path, whole=True)
+    if form == "png":
+        checked_format(path, whole=whole)
         if (plain := plain_png(path)) is not None:
             yield plain
             return

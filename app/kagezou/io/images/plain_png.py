@@ -19,6 +19,7 @@ _KNOWN: Final = frozenset({b"IHDR", b"cICP", b"sRGB", b"gAMA", b"cHRM", b"pHYs",
 """Chunks that say nothing of the picture but what `png_chunks` tells."""
 
 _SIGNATURE_BYTES: Final = 8
+_HEAD_BYTES: Final = 13
 
 
 class PlainPng:
@@ -62,7 +63,7 @@ def plain_png(path: Path) -> PlainPng | None:
     Parameters
     ----------
     path
-        A PNG file whose chunks were found to be whole.
+        A PNG file; its chunks must have been found to be whole where its pixels will be wanted.
 
     Raises
     ------
@@ -71,7 +72,7 @@ def plain_png(path: Path) -> PlainPng | None:
     """
     try:
         names, head = _chunks(path)
-        if not names <= _KNOWN:
+        if not names <= _KNOWN or len(head) < _HEAD_BYTES:
             return None
         width, height, bits, kind = struct.unpack_from(">IIBB", head)
         if bits != 8 or kind not in _CHANNELS:
@@ -106,8 +107,8 @@ def _chunks(path: Path) -> tuple[set[bytes], bytes]:
             length, name = struct.unpack(">I4s", start)
             names.add(name)
             if name == b"IHDR":
-                head = stream.read(length)
-                length = 0
+                head = stream.read(min(length, _HEAD_BYTES))
+                length -= len(head)
             stream.seek(length + 4, 1)
             if name == b"IEND":
                 break

@@ -19,6 +19,8 @@ FIRST: Final = "index"
 """The page with the contents."""
 
 _LINK = re.compile(r"\]\(([a-z-]+)\.md\)")
+_WITHIN_JAPANESE = re.compile(r"(?<=[\u3001-\u9fff\uff01-\uffef])\n *(?=[\u3001-\u9fff\uff01-\uffef])")
+"""Where a line ends within a Japanese sentence, which has no spaces: shown, it would become one."""
 _PROPERTIES = re.compile(r"^<!-- properties: (.+) -->$", re.MULTILINE)
 MOST_TURNS_DEG: Final = 36_000.0
 """A range of so many degrees only keeps numbers sane; it says nothing to people."""
@@ -68,7 +70,7 @@ def sections_of(text: str) -> tuple[str, ...]:
 
 def _page(name: str, language: str) -> Page:
     path = _path(name, language)
-    text = path.read_text(encoding="utf-8")
+    text = _WITHIN_JAPANESE.sub("", path.read_text(encoding="utf-8"))
     title = next(line for line in text.splitlines() if line.startswith("# "))
     return Page(name, title.removeprefix("# "), text)
 

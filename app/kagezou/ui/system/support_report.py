@@ -13,15 +13,13 @@ from platformdirs import user_log_path
 from PySide6.QtCore import QLocale, qVersion
 from PySide6.QtGui import QGuiApplication
 
+from kagezou.io.files.crash_reports import LOG_NAME, end_of, report_folder, reports_in, without_home
 from kagezou.io.files.memory import free_memory, whole_memory
 from kagezou.io.files.processors import processors
 from kagezou.ui.system.settings import Settings
-from kagezou.ui.system.unforeseen import LOG_NAME
 from kagezou.version import __version__
 
 _PACKAGES: Final = ("PySide6-Essentials", "numpy", "OpenImageIO", "PyOpenGL", "psd-tools", "pyqtgraph", "scipy", "av")
-_LINES: Final = 60
-_TAIL_BYTES: Final = 16 << 10
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,15 +62,10 @@ def support_report(shown: Shown, settings: Settings, log_folder: Path | None = N
         f"drawings in memory: {_megabytes(shown.drawings_bytes)} of {_megabytes(shown.limit_bytes)}",
         f"unsaved work is kept in: {settings.recovery_folder}",
         f"log: {log}",
-        *_end_of(log),
+        *end_of(log),
+        *_last_crash(log.with_name(report_folder().name)),
     ]
     return without_home("\n".join(lines) + "\n")
-
-
-def without_home(text: str) -> str:
-    """Return a text in which the user's home folder is called ``~``."""
-    home = str(Path.home())
-    return text if len(home) < 2 else text.replace(home, "~")
 
 
 def memory_words(shown_bytes: int, limit_bytes: int) -> tuple[str, str, str]:
@@ -96,12 +89,7 @@ def _screens() -> str:
     return ", ".join(f"{size.width()} x {size.height()} at {ratio:g}" for size, ratio in sizes)
 
 
-def _end_of(log: Path) -> list[str]:
-    """Return the last lines of the log, or why there are none."""
-    try:
-        with log.open("rb") as stream:
-            stream.seek(max(0, log.stat().st_size - _TAIL_BYTES))
-            text = stream.read().decode("utf-8", "replace")
-    except OSError as error:
-        return [f"(it cannot be read: {error.strerror})"]
-    return text.splitlines()[-_LINES:]
+def _last_crash(folder: Path) -> list[str]:
+    """Return the newest report of a crash, if there is one."""
+    newest = next(iter(reports_in(folder)), None)
+    return [] if newest is None else [f"last crash: {newest}", *end_of(newest)]

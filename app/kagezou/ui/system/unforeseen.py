@@ -5,6 +5,7 @@ import platform
 import sys
 import threading
 import traceback
+from collections.abc import Callable, Sequence
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
@@ -14,6 +15,7 @@ from platformdirs import user_log_path
 from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInstallMessageHandler, qVersion
 
 from kagezou.errors import Problem
+from kagezou.io.files.crash_reports import LOG_NAME, write_report
 from kagezou.ui.system.words import translated
 from kagezou.version import __version__
 
@@ -25,7 +27,8 @@ _LEVELS = {
     QtMsgType.QtFatalMsg: logging.CRITICAL,
 }
 LOG_BYTES = 1 << 20
-LOG_NAME: Final = "window.log"
+MOST_REPORTS: Final = 5
+"""So many different errors of one run get a report of their own."""
 
 log = logging.getLogger("kagezou")
 
@@ -41,6 +44,11 @@ class UnforeseenErrors(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.log_file: Path | None = None
+        self.report: Path | None = None
+        """The report of what happened last."""
+        self.about: Callable[[], Sequence[str]] = tuple
+        """What else a report says, line by line."""
+        self._reported: dict[str, Path] = {}
 
     def watch(self) -> None:
         """Begin to write down and to tell."""
@@ -53,18 +61,30 @@ class UnforeseenErrors(QObject):
         if issubclass(kind, KeyboardInterrupt):
             sys.__excepthook__(kind, error, trace)
             return
-        log.error("unhandled: %s", "".join(traceback.format_exception(kind, error, trace)))
+        story = "".join(traceback.format_exception(kind, error, trace))
+        log.error("unhandled: %s", story)
+        self.report = None if isinstance(error, Problem) else self._reported_in(story)
         self.happened.emit(self._sentence(error))
 
     def _unhandled_in_thread(self, arguments: threading.ExceptHookArgs) -> None:
         if arguments.exc_value is not None:
             self._unhandled(arguments.exc_type, arguments.exc_value, arguments.exc_traceback)
 
+    def _reported_in(self, story: str) -> Path | None:
+        """Return the report of an error, written where it is the first of its kind; the log has all of them."""
+        if story not in self._reported and len(self._reported) < MOST_REPORTS:
+            try:
+                self._reported[story] = write_report(story, self.about())
+            except OSError as refusal:
+                log.warning("no report: %s", refusal)
+        return self._reported.get(story)
+
     def _sentence(self, error: BaseException) -> str:
         if isinstance(error, Problem):
             return translated(error)
         words = self.tr("Something went wrong inside the program (%1). Save your project. Details: %2")
-        where = str(self.log_file) if self.log_file else self.tr("no log could be written")
+        written = self.report or self.log_file
+        where = str(written) if written else self.tr("no log could be written")
         return words.replace("%1", f"{type(error).__name__}: {error}"[:200]).replace("%2", where)
 
     def _from_qt(self, kind: QtMsgType, context: QMessageLogContext, text: str) -> None:

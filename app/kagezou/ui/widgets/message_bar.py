@@ -1,10 +1,11 @@
 """The bar over the picture that says what is wrong without standing in the way."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 
 from PySide6.QtCore import QSize, Qt, QTimer
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from kagezou.ui.system.icons import icon
 
@@ -21,9 +22,26 @@ class Severity(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Offer:
+    """What can be done about a message.
+
+    Parameters
+    ----------
+    words
+        On the button.
+    do
+        What it does.
+    """
+
+    words: str
+    do: Callable[[], object]
+
+
+@dataclass(frozen=True, slots=True)
 class _Message:
     text: str
     severity: Severity
+    offers: tuple[Offer, ...] = ()
 
 
 class MessageBar(QWidget):
@@ -41,6 +59,9 @@ class MessageBar(QWidget):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._count = QLabel()
         self._sign = QLabel()
+        self._offers = QHBoxLayout()
+        self.offered: list[QPushButton] = []
+        """The buttons of the message that is shown."""
         self._going = QTimer(self)
         self._going.setSingleShot(True)
         self._going.timeout.connect(self._drop_notes)
@@ -52,10 +73,10 @@ class MessageBar(QWidget):
         """What is shown now, empty if nothing is."""
         return self._messages[self._foremost].text if self._messages else ""
 
-    def say(self, key: str, text: str, severity: Severity = Severity.ERROR) -> None:
-        """Show a message; it takes the place of the one with the same key."""
+    def say(self, key: str, text: str, severity: Severity = Severity.ERROR, offers: tuple[Offer, ...] = ()) -> None:
+        """Show a message, with a button for each offer; it takes the place of the one with the same key."""
         self._messages.pop(key, None)
-        self._messages[key] = _Message(text, severity)
+        self._messages[key] = _Message(text, severity, offers)
         if severity is Severity.NOTE:
             self._going.start(NOTE_SHOWN_MS)
         self._show_foremost()
@@ -88,6 +109,7 @@ class MessageBar(QWidget):
         row.setSpacing(8)
         row.addWidget(self._sign)
         row.addWidget(self._text, 1)
+        row.addLayout(self._offers)
         row.addWidget(self._count)
         row.addWidget(close)
 
@@ -95,6 +117,20 @@ class MessageBar(QWidget):
         if self._messages:
             del self._messages[self._foremost]
         self._show_foremost()
+
+    def _show_offers(self, offers: tuple[Offer, ...]) -> None:
+        for button in self.offered:
+            self._offers.removeWidget(button)
+            button.hide()
+            # Not at once: it may be the one that was just pressed.
+            button.deleteLater()
+        self.offered = []
+        for offer in offers:
+            button = QPushButton(offer.words)
+            button.setObjectName("small_button")
+            button.clicked.connect(lambda _=False, do=offer.do: do())
+            self._offers.addWidget(button)
+            self.offered.append(button)
 
     def _drop_notes(self) -> None:
         self._messages = {key: m for key, m in self._messages.items() if m.severity is not Severity.NOTE}
@@ -104,6 +140,7 @@ class MessageBar(QWidget):
         if self._messages:
             foremost = self._messages[self._foremost]
             self._text.setText(foremost.text)
+            self._show_offers(foremost.offers)
             sign = "info" if foremost.severity is Severity.NOTE else "warning"
             self._sign.setPixmap(icon(sign).pixmap(QSize(16, 16)))
             more = len(self._messages) - 1
