@@ -14,6 +14,7 @@ from kagezou.geometry.bands import (
     REACH_SIGMAS,
     SHARP_SIGMA_PX,
     TEXELS_A_DISTANCE,
+    TEXELS_A_GROWTH,
     TEXELS_A_SIGMA,
     Band,
     Blur,
@@ -48,6 +49,15 @@ def test_the_distance_of_a_width_is_where_it_is_that_wide(
     # Where the width hardly changes, numbers do not tell one place from another.
     assert first <= away * (1 + 1e-6) + 1e-3 or blur.sigma_at(first) == pytest.approx(sigma, rel=1e-13)
     assert blur.sigma_at(first) == pytest.approx(sigma, rel=1e-6, abs=1e-6)
+
+
+def test_the_faster_a_blur_grows_the_finer_it_is_done() -> None:
+    """Where it has stopped growing not at once: what is below its kink is blurred into what is above."""
+    assert Blur(20.0, 200.0).texels_a_distance(100.0) == TEXELS_A_DISTANCE
+    assert Blur(200.0, 200.0).texels_a_distance(100.0) == TEXELS_A_GROWTH
+    assert Blur(200.0, 200.0).texels_a_distance(300.0) == TEXELS_A_GROWTH
+    assert Blur(200.0, 200.0).texels_a_distance(400.0) == TEXELS_A_DISTANCE
+    assert Blur(0.0, 0.0, 1.0, 0.5).texels_a_distance(9.0) == 0.5 * TEXELS_A_GROWTH
 
 
 @given(nothing_or(0.01, 500.0), nothing_or(0.01, 5e3), st.floats(0.8, 50.0), nothing_or(1e-4, 1.0))
@@ -106,7 +116,7 @@ def test_no_band_is_coarser_than_its_blur_allows(amount: float, distance: float)
         inner, outer = inner_and_outer(band)
         if band.level > 0:
             assert blur.sigma_at(inner) >= 0.999 * TEXELS_A_SIGMA * band.texel_px
-            assert inner >= 0.999 * TEXELS_A_DISTANCE * band.texel_px
+            assert inner >= 0.999 * blur.texels_a_distance(inner) * band.texel_px
         assert not inner < distance < outer
         assert (band.needed.left % band.texel_px, band.needed.low % band.texel_px) == (0.0, 0.0)
 

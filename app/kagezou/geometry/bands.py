@@ -18,6 +18,9 @@ TEXELS_A_SIGMA = 1.25
 TEXELS_A_DISTANCE = 16.0
 """How many texels a band is away from the contact line, as a width that grows fast bends the blur over as little."""
 
+TEXELS_A_GROWTH = 64.0
+"""How many texels that is for each px by which the width grows with a px of distance."""
+
 LARGEST_TEXEL_PX = 8.0
 """No coarser, so that the tiles in which an outline may lie stay few, unless the blur is as wide as ..."""
 
@@ -73,6 +76,15 @@ class Blur:
         away = abs(distance_px)
         part = 1.0 if self.distance_px <= 0 else min(away / self.distance_px, 1.0)
         return hypot(self.amount_px * part, self.edge_at(away))
+
+    def texels_a_distance(self, distance_px: float) -> float:
+        """Return how many texels a place is at least away from the contact line: the more, the faster the blur grows.
+
+        For a while beyond where it stops growing, too: there it is read across that kink.
+        """
+        is_growing = distance_px < 2 * self.distance_px
+        growth = self.slope + (self.amount_px / self.distance_px if is_growing else 0.0)
+        return max(TEXELS_A_DISTANCE, TEXELS_A_GROWTH * growth)
 
     def edge_at(self, distance_px: float) -> float:
         """Return what the edge alone needs, px."""
@@ -191,7 +203,7 @@ def _cores(blur: Blur, shadow: Extent, first: float, farthest: float) -> Iterato
         high = min(max(2 * low, FIRST_PX), farthest)
         # The width stops growing all at once.
         high = blur.distance_px if low < blur.distance_px < high else high
-        own = _level(shadow, min(_texel(shadow, blur.sigma_at(low)), low / TEXELS_A_DISTANCE))
+        own = _level(shadow, min(_texel(shadow, blur.sigma_at(low)), low / blur.texels_a_distance(low)))
         if level >= 0 and (level != own or low == blur.distance_px):
             yield start, low, level
             start = low

@@ -233,6 +233,8 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
         "opacity",
         *simplifying,
         "light on a set",
+        "light on a wall, simplified",
+        "light on a set, simplified",
         "light on a mesh set",
         "frame step",
     ]

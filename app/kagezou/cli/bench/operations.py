@@ -128,7 +128,7 @@ def _changes_of_place(document: Document) -> Iterator[tuple[str, Change]]:
 def _changes_of_shape(document: Document) -> Iterator[tuple[str, Change]]:
     layer, light = document.layers[-1], _moved_light(document)
     simplify, distance = Address(properties.SIMPLIFY, layer.id), Address(properties.DISTANCE, layer.id)
-    simplified = _with(document, {simplify: 40.0, distance: 200.0})
+    simplified = _with(document, _simplification(document))
     first, second = (Address(lines.amplitude, layer.id) for lines in (properties.WAVE1, properties.WAVE2))
     waved = _with(simplified, {first: 10.0, second: 6.0})
     yield "simplify", _setting(simplify, lambda n: 40.0 + _sweep(n, 20.0))
@@ -144,7 +144,10 @@ def _changes_of_shape(document: Document) -> Iterator[tuple[str, Change]]:
 
 def _changes_on_sets(document: Document, hills: Path) -> Iterator[tuple[str, Change]]:
     foot, height, light = _foot(document), document.layers[-1].figure.height, _moved_light(document)
+    simplified = _with(document, _simplification(document))
     yield "light on a set", _upon(_in_a_set(document, foot, height), light)
+    yield "light on a wall, simplified", _upon(_by_a_wall(simplified, foot, height), light)
+    yield "light on a set, simplified", _upon(_in_a_set(simplified, foot, height), light)
     yield "light on a mesh set", _upon(_on_hills(document, foot, hills), light)
 
 
@@ -179,8 +182,14 @@ def _foot(document: Document) -> tuple[float, float]:
     return (figure.left + figure.right) / 2, float(figure.bottom)
 
 
-def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Document:
-    """Return the document with a wall and three boxes behind and beside the character."""
+def _simplification(document: Document) -> Mapping[Address, Value]:
+    """Return what simplifies the shadow of the uppermost character, with the distance from its feet."""
+    layer = document.layers[-1].id
+    return {Address(properties.SIMPLIFY, layer): 40.0, Address(properties.DISTANCE, layer): 200.0}
+
+
+def _by_a_wall(document: Document, foot: tuple[float, float], height: int) -> Document:
+    """Return the document with a wall behind the character."""
     x, y = foot
     wall: dict[str, object] = {
         "position": [x, y - 0.2 * height],
@@ -188,7 +197,13 @@ def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Doc
         "height": 0.7 * height,
         "angle": -8,
     }
-    document = add_piece(document, "wall", PieceKind.WALL, wall)
+    return add_piece(document, "wall", PieceKind.WALL, wall)
+
+
+def _in_a_set(document: Document, foot: tuple[float, float], height: int) -> Document:
+    """Return the document with a wall and three boxes behind and beside the character."""
+    x, y = foot
+    document = _by_a_wall(document, foot, height)
     for across, back, angle in ((0.2, 0.07, 30), (-0.15, 0.1, 12), (0.08, 0.04, -20)):
         size = {"width": 0.2 * height, "height": 0.13 * height, "depth": 0.13 * height}
         place: dict[str, object] = {"position": [x + across * height, y - back * height], "angle": angle}

@@ -13,7 +13,7 @@ from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.cast import CastPass
-from kagezou.render.passes.plane_cast import PlaneCast, cast_level
+from kagezou.render.passes.plane_cast import PlaneCast
 from kagezou.render.prepare.area_level import Counted, area_preserving_level
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.band_atlas import Strip
@@ -81,7 +81,7 @@ class BlurPass:
         # What lies beside the narrow strips is not read.
         before = [shadow.read_floats(strip.box) for strip in job.strips]
         tiles = {s: blur_tiles(s, texels) for s, texels in zip(job.strips, before, strict=True) if _is_large(s)}
-        uniforms = blur_uniforms(job, cast_level(job))
+        uniforms = blur_uniforms(job)
         held = [(strip, held_box(chart, strip)) for chart in job.charts for strip in chart.strips]
         self._sum((shadow, half), _ALONG_V, [(s, tiles[s][0] if s in tiles else box) for s, box in held], uniforms)
         shown = [(strip, tiles[strip][1] if strip in tiles else strip.shown) for strip in job.strips]

@@ -123,6 +123,8 @@ class ShapePass:
         """Cast the shadow as it is, for where it stays so, unless that is there; return its box."""
         wanted = box_near_contact(view)
         if wanted is None:
+            if self._sharp is None:
+                self._sharp_like(like, None)
             return None
         cast = replace(view.job.cast, receivers=(view.receiver,), simplify=None, edge=None, water=None)
         kept = self._sharp_kept

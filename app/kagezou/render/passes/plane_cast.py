@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import groupby, pairwise
 from math import ceil, log2
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.polygon import bounding_box
-from kagezou.geometry.sets.laid_flat import lines_of, moved
+from kagezou.geometry.sets.laid_flat import FaceOutline, lines_of, moved
 from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import PlacedMatte
@@ -19,6 +20,8 @@ from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.passes.halving import HalvingPass
 from kagezou.render.prepare.area_level import Floats as Texels
+from kagezou.render.prepare.band_atlas import Strip
+from kagezou.render.prepare.cast_parts import cast_parts
 from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of, extent_of
 from kagezou.render.prepare.polygon_tiles import polygon_tiles
 from kagezou.render.prepare.shadow_levels import ShadowLevels
@@ -33,14 +36,8 @@ _TABLES = frozenset({f"MAX_POLYGONS {_MOST_POLYGONS}", f"MAX_SIDES {_MOST_SIDES}
 
 _OUTLINED_TEXELS = 64
 
-_LEAST_COARSEST = 4
-"""At least down to this level a cast is made coarser, so that a wider blur finds it there."""
-
-_COARSEST_CAST = 1
-"""Means of a finer cast cost less than one whose every texel is split into many cells."""
-
-_MOST_TEXELS = 4096
-"""Along a side of the finest picture of a shadow, unless a strip of it has to be finer."""
+_FOR_OUTLINES = -1
+"""In the place of a level: the target in which the length of a shadow is seen."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,6 +48,7 @@ class _Kept:
     matte: PlacedMatte
     ground_from_blurred: Matrix
     levels: ShadowLevels
+    held: Box | None
 
     def holds(self, job: FilterJob, matte: PlacedMatte, levels: ShadowLevels) -> bool:
         """Return whether it is what a job wants."""
@@ -76,10 +74,8 @@ class PlaneCast:
         self._crop = Variants("passes/strips.vert", "passes/crop.frag")
         self._paste = Variants("common/box.vert", "passes/paste.frag")
         self._copy = Program("common/box.vert", "passes/shifted.frag")
-        self._wholes: list[Target | None] = [None, None]
-        self._ground_first = (0, 0)
-        self._ground_held: Box | None = None
-        self._kept: _Kept | None = None
+        self._wholes: dict[tuple[int, bool], Target] = {}
+        self._kept: dict[int, _Kept] = {}
         self._scratches = Scratches()
 
     def close(self) -> None:
@@ -89,31 +85,35 @@ class PlaneCast:
         self._paste.close()
         self._copy.close()
         self._scratches.close()
-        for target in self._wholes:
-            if target is not None:
-                target.close()
+        for target in self._wholes.values():
+            target.close()
 
     def fill(self, job: FilterJob, matte: PlacedMatte, chart: Chart, shadow: Target) -> None:
-        """Cast the shadow once, at least as fine as any strip wants it, and fill a chart's strips with it.
+        """Cast the shadow, at least as fine as any strip wants it, and fill a chart's strips with it.
 
         The first chart of a job, that of the ground alone, is asked for before the others, which have it under theirs.
         """
-        finest = cast_level(job)
-        coarsest = max((strip.band.level for strip in chart.strips), default=finest)
-        levels = ShadowLevels.of(chart.extent, finest, max(coarsest, _LEAST_COARSEST))
         is_first = not job.development.charts[chart.number]
-        whole = self._whole_of(levels.box.width, levels.box.height, of_ground=is_first)
-        if not is_first:
-            self._cast_levels(job, matte, chart, (whole, levels))
-        elif self._kept is None or not self._kept.holds(job, matte, levels):
-            # A failure half-way leaves no one knows what.
-            self._kept = None
-            self._cast_levels(job, matte, chart, (whole, levels))
-            self._kept = _Kept(_unfiltered(job.cast), matte, job.ground_from_blurred, levels)
-        self._fill_strips(chart, levels, whole, shadow)
+        for part in cast_parts(job):
+            strips = [strip for strip in chart.strips if part.is_for(strip)]
+            if not strips and not is_first:
+                continue
+            levels = part.levels(chart)
+            whole = self._whole_of(part.finest, levels.box, of_ground=is_first)
+            kept = self._kept.get(part.finest) if is_first else None
+            if kept is None or not kept.holds(job, matte, levels):
+                # A failure half-way leaves no one knows what.
+                self._kept.pop(part.finest if is_first else -1, None)
+                held = self._cast_levels(job, matte, chart, (whole, levels))
+                if is_first:
+                    cast = _unfiltered(job.cast)
+                    self._kept[part.finest] = _Kept(cast, matte, job.ground_from_blurred, levels, held)
+            self._fill_strips(strips, levels, whole, shadow)
 
-    def _cast_levels(self, job: FilterJob, matte: PlacedMatte, chart: Chart, goal: tuple[Target, ShadowLevels]) -> None:
-        """Cast the shadow of a chart, and fill its coarser levels."""
+    def _cast_levels(
+        self, job: FilterJob, matte: PlacedMatte, chart: Chart, goal: tuple[Target, ShadowLevels]
+    ) -> Box | None:
+        """Cast the shadow of a chart, and fill its coarser levels; return where the finest may hold anything."""
         whole, levels = goal
         whole.clear(levels.box)
         box = levels.box_of(levels.finest)
@@ -121,23 +121,23 @@ class PlaneCast:
         window = Window(box, levels.plane_from_target, _cells_at(levels.finest), is_shape_only=True)
         if not job.development.charts[chart.number]:
             held = self._cast(BlurView.of_ground(job, box), matte, whole, window)
-            self._ground_first, self._ground_held = levels.corner, held
         else:
-            held = self._lay_ground(whole, box, levels.corner)
+            held = self._lay_ground(whole, levels)
             held = self._cast_sheets((job, matte, chart), (whole, held), window)
         if held is not None:
             self._halving.fill(whole, levels, held)
+        return held
 
-    def _fill_strips(self, chart: Chart, levels: ShadowLevels, whole: Target, shadow: Target) -> None:
-        """Fill a chart's strips from the pictures of the shadow that are as fine."""
-        if not chart.strips:
+    def _fill_strips(self, strips: Sequence[Strip], levels: ShadowLevels, whole: Target, shadow: Target) -> None:
+        """Fill strips from the pictures of the shadow that are as fine."""
+        if not strips:
             return
         shadow.bind()
         whole.texture.bind(0)
         uniforms: dict[str, Uniform] = {"u_target_size_px": shadow.size_px, "u_source": 0}
-        self._crop[STRIPS].use(uniforms | crop_uniforms(levels, chart.strips))
-        self._boxes.load_numbered(*numbered([box_array(strip.box) for strip in chart.strips]))
-        self._boxes.draw_loaded(0, len(chart.strips))
+        self._crop[STRIPS].use(uniforms | crop_uniforms(levels, strips))
+        self._boxes.load_numbered(*numbered([box_array(strip.box) for strip in strips]))
+        self._boxes.draw_loaded(0, len(strips))
 
     def _cast(self, view: BlurView, matte: PlacedMatte, target: Target, window: Window) -> Box | None:
         """Cast the shadow on one receiver into a picture of the blur's plane."""
@@ -156,13 +156,14 @@ class PlaneCast:
         assert window.canvas_from_target is not None
         (job, matte, chart), (whole, held) = asked, goal
         alone = self._scratches.like("alone", whole)
-        flat_from_target = np.eye(3)
-        flat_from_target[:2, :2] = job.ground_from_blurred
-        target_from_flat: Matrix = np.asarray(np.linalg.inv(flat_from_target @ window.canvas_from_target), np.float64)
+        stretch = np.eye(3)
+        stretch[:2, :2] = job.ground_from_blurred
+        flat_from_target: Matrix = np.asarray(stretch @ window.canvas_from_target, np.float64)
+        target_from_flat: Matrix = np.asarray(np.linalg.inv(flat_from_target), np.float64)
         outlines = job.development.outlines(chart.number, beyond_of(job, chart))
         for number, group in groupby(outlines, key=lambda outline: outline.sheet):
-            parts = [[moved(target_from_flat, each) for each in (outline.corners, *outline.over)] for outline in group]
-            boxes = [bounding_box(polygons[0]) for polygons in parts]
+            own = list(group)
+            boxes = [bounding_box(moved(target_from_flat, outline.corners)) for outline in own]
             part = around(*(each and each.grown(1).intersection(window.box) for each in boxes))
             if part is None:
                 continue
@@ -171,18 +172,17 @@ class PlaneCast:
             held = around(held, box)
             shown = held and part.intersection(held)
             if shown is not None:
-                for polygons in parts:
-                    self._lay(alone, polygons, shown, whole)
+                for outline in own:
+                    self._lay(alone, [lines @ flat_from_target for lines in _lines_of(outline)], shown, whole)
             if box is not None:
                 alone.clear(box)
         return held
 
-    def _lay_ground(self, whole: Target, box: Box, first: tuple[int, int]) -> Box | None:
+    def _lay_ground(self, whole: Target, levels: ShadowLevels) -> Box | None:
         """Copy the shadow on the ground alone into a picture of another part of it; return where it may hold any."""
-        ground = self._wholes[0]
-        assert ground is not None
-        shift = [own - other for own, other in zip(self._ground_first, first, strict=True)]
-        part = self._ground_held and self._ground_held.moved(*shift).intersection(box)
+        kept, ground = self._kept[levels.finest], self._wholes[levels.finest, True]
+        shift = [own - other for own, other in zip(kept.levels.corner, levels.corner, strict=True)]
+        part = kept.held and kept.held.moved(*shift).intersection(levels.box_of(levels.finest))
         if part is not None:
             whole.bind(part)
             ground.texture.bind(0)
@@ -191,9 +191,8 @@ class PlaneCast:
             self._boxes.draw_one(part)
         return part
 
-    def _lay(self, alone: Target, polygons: Sequence[Matrix], box: Box, whole: Target) -> None:
-        """Lay what is within the first polygon, and within none of the others, into the picture of them all."""
-        sides = [lines_of(polygon) for polygon in polygons[:_MOST_POLYGONS] if len(polygon)]
+    def _lay(self, alone: Target, sides: Sequence[Matrix], box: Box, whole: Target) -> None:
+        """Lay what is within the first polygon, given by its sides, and within none of the others."""
         inside, edge = polygon_tiles(sides, box)
         whole.bind(box)
         alone.texture.bind(0)
@@ -216,8 +215,7 @@ class PlaneCast:
             return np.zeros((0, 0), np.float32)
         texel = max(extent.right - extent.left, extent.high - extent.low) / _OUTLINED_TEXELS
         box = Box(0, 0, *(ceil(side / texel) for side in (extent.right - extent.left, extent.high - extent.low)))
-        shadow = self._whole_of(box.width, box.height, of_ground=True)
-        self._kept = None
+        shadow = self._whole_of(_FOR_OUTLINES, box, of_ground=True)
         shadow.clear(box)
         plane_from_texel = np.array([[texel, 0.0, extent.left], [0.0, texel, extent.low], [0.0, 0.0, 1.0]])
         cells = _cells_at(max(ceil(log2(texel)), 0))
@@ -226,25 +224,26 @@ class PlaneCast:
         )
         return shadow.read_floats(box)
 
-    def _whole_of(self, width: int, height: int, *, of_ground: bool) -> Target:
+    def _whole_of(self, finest: int, box: Box, *, of_ground: bool) -> Target:
         """Return a target of at least a size for the shadow before it is blurred."""
-        index = 0 if of_ground else 1
-        old = self._wholes[index]
+        width, height = box.width, box.height
+        old = self._wholes.get((finest, of_ground))
         if old is None or old.box.width < width or old.box.height < height:
             if old is not None:
                 width, height = max(width, old.box.width), max(height, old.box.height)
                 old.close()
+                del self._wholes[finest, of_ground]
             if of_ground:
-                self._kept = None
-            old = self._wholes[index] = Target(width, height, Format.ALPHA16)
+                self._kept.pop(finest, None)
+            old = self._wholes[finest, of_ground] = Target(width, height, Format.ALPHA16)
         return old
 
 
-def cast_level(job: FilterJob) -> int:
-    """Return how fine a job's shadow is cast: finer than any strip, but where that would be below a px or too large."""
-    finest = min((strip.band.level for strip in job.strips), default=0)
-    longest = max(max(c.extent.right - c.extent.left, c.extent.high - c.extent.low) for c in job.charts)
-    return min(max(min(finest - 1, _COARSEST_CAST), ceil(log2(longest / _MOST_TEXELS)), 0), finest)
+@lru_cache(maxsize=1024)
+def _lines_of(outline: FaceOutline) -> tuple[Matrix, ...]:
+    """Return the sides of the polygons of an outline; kept, as they are flat and the light does not move them."""
+    polygons = (outline.corners, *outline.over)[:_MOST_POLYGONS]
+    return tuple(lines_of(each) for each in polygons if len(each))
 
 
 def _cells_at(level: int) -> int:

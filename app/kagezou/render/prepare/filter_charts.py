@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.sets.bodies import Body, Facet, Solid
-from kagezou.geometry.sets.laid_flat import FlatFace, lines_of
+from kagezou.geometry.sets.laid_flat import FlatFace, FlatSheet, lines_of
 from kagezou.geometry.sets.regions import Group
 from kagezou.geometry.sets.unfolding import unfolded
 from kagezou.geometry.vectors import Matrix, height_over
@@ -97,8 +97,14 @@ def counted_texels(
     result = np.zeros(places.shape, np.bool_)
     for sheet in job.development.sheets:
         if sheet.chart == chart.number and sheet.is_looked_up:
-            result |= np.logical_and.reduce([places.of(line) >= 0 for line in lines_of(sheet.corners)])
+            result |= np.logical_and.reduce([places.of(line) >= 0 for line in _lines_of(sheet)])
     return result
+
+
+@lru_cache(maxsize=1024)
+def _lines_of(sheet: FlatSheet) -> Matrix:
+    """Return the sides of a sheet; kept, as they are flat and the light does not move them."""
+    return lines_of(sheet.corners)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
