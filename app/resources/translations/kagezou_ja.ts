@@ -1190,6 +1190,14 @@
         <source>Pictures</source>
         <translation>画像</translation>
     </message>
+    <message>
+        <source>“%1” is being saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This goes on by itself as soon as it is written.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Dock</name>
@@ -2645,6 +2653,13 @@ Drop a folder of cels here.</source>
     <message>
         <source>Paste look</source>
         <translation>見た目を貼り付け</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>(saving…)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
