@@ -1,7 +1,9 @@
 """The files that a bundle's folder is packed into, each as its system wants it."""
 
 import hashlib
+import lzma
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -41,6 +43,11 @@ exit 0
 """
 
 
+_OF_CODE: Final = [{"id": lzma.FILTER_X86}] if platform.machine() == "x86_64" else []
+_PACKING: Final = [*_OF_CODE, {"id": lzma.FILTER_LZMA2, "preset": 9}]
+"""Addresses in machine code are told from where they stand before they are packed."""
+
+
 def packed(folder: Path, out: Path, version: str) -> Iterator[Path]:
     """Pack a bundle for the system this runs on, and yield the files as they are made."""
     name = f"kagezou-{version}-{_system()}"
@@ -75,7 +82,7 @@ def _tar(folder: Path, archive: Path, name: str) -> None:
         entry.mtime = 0
         return entry
 
-    with tarfile.open(archive, "w:xz", preset=6) as target:
+    with lzma.open(archive, "wb", filters=_PACKING) as stream, tarfile.open(fileobj=stream, mode="w") as target:
         for path in (folder, *sorted(folder.rglob("*"))):
             target.add(path, Path(name) / path.relative_to(folder), recursive=False, filter=plain)
 
@@ -129,6 +136,6 @@ def _deb(folder: Path, out: Path, version: str) -> Path:
     )
     (control / "md5sums").write_text("".join(sums), encoding="utf-8")
     target = out / f"kagezou_{version}_{machine}.deb"
-    subprocess.run(["dpkg-deb", "--root-owner-group", "-Zxz", "--build", str(root), str(target)], check=True)
+    subprocess.run(["dpkg-deb", "--root-owner-group", "-Zxz", "-z9", "--build", str(root), str(target)], check=True)
     shutil.rmtree(root)
     return target
