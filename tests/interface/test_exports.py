@@ -70,6 +70,18 @@ def test_what_is_stopped_and_what_fails_is_told(cut: Cut, tmp_path: Path, drawin
     assert "walk_0002.png" in why
 
 
+def test_what_stands_in_for_a_missing_drawing(cut: Cut, tmp_path: Path, drawings: Path) -> None:
+    (drawings / "walk_0002.png").unlink()
+    with pytest.raises(kagezou.InputProblem, match="missing"):
+        cut.export(kagezou.Frames(tmp_path / "out"))
+    for word, said in (("empty", "left empty"), ("hold", "is held")):
+        came = cut.export(kagezou.Frames(tmp_path / word, missing=word))
+        assert came.is_whole
+        assert any(said in note for note in came.notes)
+    with pytest.raises(kagezou.UsageProblem, match="missing is one of fail, empty, hold, not 'none'"):
+        cut.export(kagezou.Frames(tmp_path / "out", missing="none"))
+
+
 def refuse(manifest: Mapping[str, Any]) -> None:
     raise KeyError(manifest["project"]["cut"])
 

@@ -6,9 +6,8 @@ from typing import Final
 
 from kagezou.document.model import Drawing
 from kagezou.errors import InputProblem
-from kagezou.importing.file_notes import said_once
+from kagezou.importing.file_notes import odd_size, said_once
 from kagezou.importing.progress import LoadPhase, Progress
-from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import ImageInfo, probe
 from kagezou.message import Message
 
@@ -76,23 +75,8 @@ def measured_cels(
     if len(problems) > _SHOWN:
         notes.append(Message("{name}: {count} drawings cannot be opened", name=name, count=len(problems)))
     sizes = Counter((info.width_px, info.height_px) for _, info in infos)
-    if len(sizes) > 1 and not are_placed:
-        first = infos[0][1]
-        other = next(
-            (drawing, info)
-            for drawing, info in infos
-            if (info.width_px, info.height_px) != (first.width_px, first.height_px)
-        )
-        notes.append(
-            Message(
-                "{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; "
-                "each lies centred on the canvas",
-                name=name,
-                path=shown(other[0].path),
-                width_px=other[1].width_px,
-                height_px=other[1].height_px,
-            )
-        )
+    if not are_placed:
+        notes += odd_size(name, [(drawing.path, info.width_px, info.height_px) for drawing, info in infos])
     known = {id(drawing): (info.width_px, info.height_px) for drawing, info in infos}
     sized = tuple(replace(drawing, size_px=known.get(id(drawing))) for drawing in drawings)
     size = (max(width for width, _ in sizes), max(height for _, height in sizes))

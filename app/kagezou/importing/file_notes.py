@@ -1,9 +1,11 @@
 """What readers say of files, said once: what of a file was not used, and what of it had to be assumed."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 
-from kagezou.document.model import Cels, Document, Drawing
+from kagezou.document.figure_properties import PLACEMENT_LINES
+from kagezou.document.model import Cels, Document, Drawing, Layer
 from kagezou.errors import InputProblem
 from kagezou.io.files.faults import shown
 from kagezou.io.images.reading import probe
@@ -45,6 +47,30 @@ def _of_files(name: str, note: Message, paths: list[Path], count: int) -> Messag
     return Message("{path}: {note}", path=shown(paths[0]), note=note)
 
 
+def odd_size(name: str, sizes: Sequence[tuple[Path, int, int]]) -> tuple[Message, ...]:
+    """Return that the drawings of a layer called ``name`` differ in size; nothing where they do not.
+
+    Parameters
+    ----------
+    name
+        The layer.
+    sizes
+        Each file with its width and height, px.
+    """
+    for path, width_px, height_px in sizes:
+        if (width_px, height_px) != sizes[0][1:]:
+            words = Message(
+                "{name}: drawings differ in size, first {path} with {width_px} × {height_px} px; "
+                "each lies centred on the canvas",
+                name=name,
+                path=shown(path),
+                width_px=width_px,
+                height_px=height_px,
+            )
+            return (words,)
+    return ()
+
+
 def notes_on_files(document: Document, meshes: MeshCache) -> tuple[Message, ...]:
     """Return what the readers of all the files of a document say, and which of them cannot be read.
 
@@ -72,7 +98,26 @@ def notes_on_shown(document: Document, frames: Iterable[int] | None) -> tuple[Me
         drawings = [cels.drawings[at] for at in dict.fromkeys(map(cels.index_at, seen)) if at is not None]
         said = [_of_drawing(each) for each in drawings if each.path.is_file()]
         made += said_once(name, [each for each in said if not isinstance(each, Message)])
+        made += _odd_sizes(document, name, drawings)
     return tuple(dict.fromkeys(made))
+
+
+def _odd_sizes(document: Document, name: str, drawings: Sequence[Drawing]) -> tuple[Message, ...]:
+    """Return that drawings differ in size, unless the layer is placed anew for each, as parts of a document are."""
+    layer = next((each for each in document.layers if each.name == name), None)
+    if layer is None or _is_placed_anew(layer):
+        return ()
+    sizes = []
+    for drawing in drawings:
+        with suppress(InputProblem):
+            info = probe(drawing.source)
+            sizes.append((drawing.path, info.width_px, info.height_px))
+    return odd_size(name, sizes)
+
+
+def _is_placed_anew(layer: Layer) -> bool:
+    tracks = (layer.tracks.get(each.name) for each in PLACEMENT_LINES)
+    return any(track is not None and track.is_keyed for track in tracks)
 
 
 def _cels(document: Document) -> tuple[tuple[str, Cels], ...]:

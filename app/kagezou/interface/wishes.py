@@ -14,7 +14,7 @@ from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.table import SCENES, AnyExporter
 from kagezou.export.exporters.video_file import VIDEO_FILE
 from kagezou.export.file_names import USUAL, FileNames
-from kagezou.export.request import DEPTHS, ExportRequest
+from kagezou.export.request import DEPTHS, ExportRequest, Missing
 from kagezou.export.video import VideoRequest
 from kagezou.interface.values import AnyPath, FrameChoice, frames_of, path_of
 from kagezou.io.files.processors import processors
@@ -43,6 +43,9 @@ class Frames:
         Whether whole frames are left alone that would come out the same.
     keep_going
         Whether the other frames are made when a drawing cannot be read.
+    missing
+        Where a drawing is not there: ``fail`` makes nothing, ``empty`` the frame without it, ``hold`` the one with the
+        drawing before it, else after it.
     """
 
     folder: AnyPath
@@ -60,6 +63,7 @@ class Frames:
     padding: int | None = None
     skip_existing: bool = False
     keep_going: bool = False
+    missing: str = "fail"
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,12 +141,21 @@ def _frames(wish: Frames) -> ExportRequest:
         skip_existing=wish.skip_existing,
         workers=processors(),
         keep_going=wish.keep_going,
+        missing=_missing(wish.missing),
         layered=wish.layered,
         receivers=wish.receivers,
         united=wish.united,
         guides=wish.guides,
         names=FileNames(wish.names or USUAL, wish.start_frame, wish.padding),
     )
+
+
+def _missing(word: str) -> Missing:
+    try:
+        return Missing(word)
+    except ValueError as error:
+        words = ", ".join(Missing)
+        raise UsageProblem(Message("missing is one of {words}, not {word!r}", words=words, word=word)) from error
 
 
 def _video(wish: Video, path: Path) -> VideoRequest:

@@ -90,6 +90,26 @@ def test_what_of_the_drawings_is_not_used_is_said_again_when_they_are_rendered(s
     assert shell.json("render", project, "-o", out, "--json", "--skip-existing")["notes"] == []
 
 
+def test_drawings_of_other_sizes_are_said_again_when_they_are_rendered(shell: Shell, project: Path) -> None:
+    path = project.parent / "hero" / "walk_0003.png"
+    with Image.open(path) as picture:
+        picture.crop((0, 0, picture.width + 8, picture.height)).save(path)
+    out = project.parent / "out"
+    assert shell("render", project, "-o", out) == 0
+    assert shell.said.count("Hero: drawings differ in size, first ") == 1
+    assert "walk_0003.png" in shell.said
+    assert shell.json("render", project, "-o", out, "--json", "--frames", "1-2")["notes"] == []
+
+
+def test_parts_that_are_placed_each_by_itself_may_differ_in_size(shell: Shell, project: Path) -> None:
+    path = project.parent / "hero" / "walk_0003.png"
+    with Image.open(path) as picture:
+        picture.crop((0, 0, picture.width + 8, picture.height)).save(path)
+    for frame, place in ((1, "10,10"), (3, "14,10")):
+        assert shell("set", project, f"layers.Hero.position={place}", "--frame", frame) == 0
+    assert shell.json("render", project, "-o", project.parent / "out", "--json")["notes"] == []
+
+
 def test_render_that_keeps_going_says_what_failed(shell: Shell, project: Path) -> None:
     (project.parent / "hero" / "walk_0002.png").write_bytes(b"no picture")
     assert shell("render", project, "-o", project.parent / "out", "--keep-going", "--json") == 8

@@ -2,6 +2,7 @@
 
 import errno
 import os
+import sys
 from pathlib import Path
 from typing import Final
 
@@ -22,6 +23,7 @@ _CAUSES: Final = {
     errno.ENAMETOOLONG: Message("its name is too long"),
     errno.ELOOP: Message("its links lead in a circle"),
 }
+LONGEST_ON_WINDOWS: Final = 259
 _QUOTA: Final[int | None] = getattr(errno, "EDQUOT", None)
 _FULL: Final = frozenset({errno.ENOSPC, errno.EFBIG, _QUOTA})
 # ERROR_HANDLE_DISK_FULL and ERROR_DISK_FULL.
@@ -41,9 +43,34 @@ def cause_of(error: OSError) -> Message:
     return known or Message("{reason}", reason=error.strerror or type(error).__name__)
 
 
+def too_long_for_windows(path: Path, system: str = sys.platform) -> Message | None:
+    """Return what is said of a path that Windows calls missing because it is too long; None for any other.
+
+    Parameters
+    ----------
+    path
+        The path, as it was used.
+    system
+        The system, as in ``sys.platform``.
+    """
+    count = len(os.path.abspath(path))  # noqa: PTH100 - of a path that no system need know
+    if system != "win32" or count <= LONGEST_ON_WINDOWS:
+        return None
+    return Message(
+        "its path has {count} characters, and Windows takes {most} unless long paths are switched on",
+        count=count,
+        most=LONGEST_ON_WINDOWS,
+    )
+
+
+def _missing(path: Path, error: OSError, otherwise: Message) -> Message:
+    is_missing = error.errno == errno.ENOENT
+    return (too_long_for_windows(path) or otherwise) if is_missing else cause_of(error)
+
+
 def input_problem(path: Path, cause: Message | OSError) -> InputProblem:
     """Return the problem of reading ``path``, as ``"{path}: {cause}"``."""
-    why = cause_of(cause) if isinstance(cause, OSError) else cause
+    why = _missing(path, cause, cause_of(cause)) if isinstance(cause, OSError) else cause
     return InputProblem(Message("{path}: {cause}", path=shown(path), cause=why))
 
 
@@ -52,7 +79,7 @@ def output_problem(path: Path, cause: Message | OSError) -> OutputProblem:
     if isinstance(cause, Message):
         return OutputProblem(Message("{path}: {cause}", path=shown(path), cause=cause))
     kind = DiskFullProblem if is_full(cause) else OutputProblem
-    why = Message("its folder does not exist") if cause.errno == errno.ENOENT else cause_of(cause)
+    why = _missing(path, cause, Message("its folder does not exist"))
     return kind(Message("{path}: cannot be written: {cause}", path=shown(path), cause=why))
 
 
