@@ -25,6 +25,22 @@ const ivec2 STEP = ivec2(0, 1);
 const ivec2 STEP = ivec2(1, 0);
 #endif
 
+// The weights exp(-i²/2σ²) one from the other: their ratios are again a Gaussian's, with one constant ratio. Outward
+// from the middle, so that what is rounded off adds up only where the weights are small.
+float on_one_side(ivec2 here, ivec2 way, int first, int last, float variance) {
+    float start = float(first);
+    float weight = exp(-0.5 * start * start / variance);
+    float ratio = exp(-(start + 0.5) / variance);
+    float change = exp(-1.0 / variance);
+    float sum = 0.0;
+    for (int i = first; i <= last; ++i) {
+        sum += weight * texelFetch(u_source, here + way * i, 0).r;
+        weight *= ratio;
+        ratio *= change;
+    }
+    return sum;
+}
+
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     vec4 strip = u_strips[v_strip];
@@ -39,17 +55,8 @@ void main() {
     int first = max(here.x - reach, range.x) - here.x;
     int last = min(here.x + reach, range.z) - here.x;
 #endif
-    // The weights exp(-i²/2σ²) one from the other: their ratios are again a Gaussian's, with one constant ratio.
-    float start = float(first);
-    float weight = exp(-0.5 * start * start / variance);
-    float ratio = exp(-(start + 0.5) / variance);
-    float change = exp(-1.0 / variance);
-    float sum = 0.0;
-    for (int i = first; i <= last; ++i) {
-        sum += weight * texelFetch(u_source, here + STEP * i, 0).r;
-        weight *= ratio;
-        ratio *= change;
-    }
+    float sum = on_one_side(here, STEP, max(first, 0), last, variance)
+              + on_one_side(here, -STEP, max(-last, 1), -first, variance);
     // Of a narrow Gaussian the samples do not add up to its integral.
     float next = exp(-0.5 / variance);
     float samples = 1.0 + 2.0 * (next + pow(next, 4.0) + pow(next, 9.0));
