@@ -141,12 +141,15 @@ def _running_file(words: Sequence[str], folder: Path) -> TextIO | None:
     """Open what a fatal signal is written to, locked as long as this program lives; None where that cannot be."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        stream = (folder / f"{_RUNNING}{os.getpid()}-{uuid4().hex}.txt").open("x+", encoding="utf-8", errors="replace")
+        path = folder / f"{_RUNNING}{os.getpid()}-{uuid4().hex}.txt"
+        # At once and without a buffer, so that nothing is left to be written where the disk is full.
+        path.write_text(
+            without_home("\n".join([*_head(), f"called with: {list(words)!r}"])) + _FATAL, "utf-8", errors="replace"
+        )
+        stream = path.open("a", encoding="utf-8", errors="replace")
     except OSError:
         return None
     locks(stream.fileno())
-    stream.write(without_home("\n".join([*_head(), f"called with: {list(words)!r}"])) + _FATAL)
-    stream.flush()
     return stream
 
 
