@@ -1192,11 +1192,11 @@
     </message>
     <message>
         <source>“%1” is being saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」を保存しています。</translation>
     </message>
     <message>
         <source>This goes on by itself as soon as it is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き込みが終わると自動的に続きます。</translation>
     </message>
 </context>
 <context>
@@ -2071,7 +2071,7 @@
     </message>
     <message>
         <source>Show Folder</source>
-        <translation type="unfinished">フォルダーを表示</translation>
+        <translation>フォルダーを表示</translation>
     </message>
     <message>
         <source>Drawings in memory: %1 of %2. Free memory: %3</source>
@@ -2659,7 +2659,7 @@ Drop a folder of cels here.</source>
     <name>MainWindow</name>
     <message>
         <source>(saving…)</source>
-        <translation type="unfinished"></translation>
+        <translation>（保存中…）</translation>
     </message>
 </context>
 <context>
@@ -5435,6 +5435,10 @@ Drop a folder of cels here.</source>
     <message>
         <source>its morph targets are used with the weights that the file sets at first</source>
         <translation>モーフターゲットには、ファイルの初期ウェイトを使います</translation>
+    </message>
+    <message>
+        <source>its path has {count} characters, and Windows takes {most} unless long paths are switched on</source>
+        <translation>パスが {count} 文字あります。Windows で使えるのは {most} 文字までです（長いパスを有効にした場合を除く）</translation>
     </message>
     <message>
         <source>its process ended with exit code {code}: {said}</source>
