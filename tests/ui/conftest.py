@@ -23,6 +23,7 @@ from kagezou.ui.project.dialogs import Dialogs
 from kagezou.ui.project.feet_finder import FeetFinder
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.system.language import Language
+from kagezou.ui.system.listeners import forget_listeners, senders_within
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.system.thumbnails import Thumbnails
 from kagezou.ui.viewport import reading, resolution
@@ -114,9 +115,17 @@ def _no_context_stays_current(qapp: QApplication) -> Iterator[None]:  # noqa: AR
 
 
 @pytest.fixture(autouse=True)
-def _nothing_that_is_gone_stays(qapp: QApplication) -> Iterator[None]:  # noqa: ARG001 - it takes the events
-    """Windows that were put away are destroyed at once: they would hear every event of the tests that follow."""
+def _nothing_that_is_gone_stays(qapp: QApplication) -> Iterator[None]:
+    """Windows that were put away are destroyed at once: they would hear every event of the tests that follow.
+
+    What their signals call is let go of as well, or each would stay in memory, and Python look through all of them.
+    """
     yield
+    for window in qapp.topLevelWidgets():
+        if isinstance(window, MainWindow) and not window.isVisible():
+            project = window.parts.open_project
+            outliving = (project, project.bridge)
+            forget_listeners((*outliving, *senders_within(window.parts, beside=outliving)))
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 

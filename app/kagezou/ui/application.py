@@ -20,6 +20,7 @@ from kagezou.ui.project.saving import is_saved_by_now
 from kagezou.ui.system import theme
 from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.ending import EndSignals
+from kagezou.ui.system.giving_back import GivingBack
 from kagezou.ui.system.icons import application_icon
 from kagezou.ui.system.language import Language
 from kagezou.ui.system.listeners import forget_listeners, senders_within
@@ -118,6 +119,7 @@ class Application:
         self.autosave.failed.connect(lambda sentence: self._say_of_keeping(sentence, Severity.ERROR))
         self.autosave.kept_elsewhere.connect(lambda sentence: self._say_of_keeping(sentence, Severity.WARNING))
         self.autosave.kept.connect(lambda: self.window.parts.bar.withdraw(_KEEPING))
+        self._giving_back = GivingBack()
 
     def show(self) -> None:
         """Bring the window to the screen."""

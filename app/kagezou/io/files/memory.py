@@ -1,7 +1,8 @@
-"""How much memory there is, for what would be too large to be begun."""
+"""How much memory there is, for what would be too large to be begun, and what is given back of it."""
 
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 
@@ -24,6 +25,19 @@ def whole_memory() -> int | None:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (AttributeError, OSError, ValueError):
         return None
+
+
+def give_back() -> None:
+    """Give the system what is free between the blocks that are in use, where its C library keeps that (glibc).
+
+    Pictures of all sizes come and go on many threads, and what lies between those that stay grows without bound.
+    """
+    if sys.platform != "linux":
+        return
+    import ctypes
+
+    with suppress(OSError, AttributeError):  # another C library than glibc
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 def _free_on_windows() -> int | None:
