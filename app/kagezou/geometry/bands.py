@@ -197,7 +197,10 @@ def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
 
 
 def _cores(blur: Blur, shadow: Extent, first: float, farthest: float) -> Iterator[tuple[float, float, int]]:
-    """Yield from which distance to which, and the level there; one after the other of the same level are one."""
+    """Yield from which distance to which, and the level there; one after the other of the same level are one.
+
+    ``first`` is nearer than ``farthest``.
+    """
     low, start, level = first, first, -1
     while low < farthest:
         high = min(max(2 * low, FIRST_PX), farthest)
@@ -208,8 +211,7 @@ def _cores(blur: Blur, shadow: Extent, first: float, farthest: float) -> Iterato
             yield start, low, level
             start = low
         low, level = high, own
-    if level >= 0:
-        yield start, low, level
+    yield start, low, level
 
 
 def _farthest(blur: Blur, outer: float, grown: float) -> float:
