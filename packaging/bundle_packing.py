@@ -30,6 +30,10 @@ if [ -e "$home" ] && [ "$(LC_ALL=C ls -A "$home" | tr '\\n' ' ')" != "_internal 
     echo "$home: there is something else; name a new folder" >&2
     exit 4
 fi
+if ! command -v xz >/dev/null; then
+    echo "to unpack it takes xz, which is not here (in Debian the package xz-utils)" >&2
+    exit 6
+fi
 mkdir -p "$(dirname "$home")"
 part="$(mktemp -d "$home.XXXXXX")"
 trap 'rm -rf "$part"' EXIT
