@@ -94,10 +94,27 @@ def test_what_fails_elsewhere_fails_here(tmp_path: Path) -> None:
         "made = list(outcomes(decode=decode))\n"
         "failed = [each.problem.message.text for each in made if each.problem]\n"
         "assert failed == ['cannot be read'], failed\n"
-        "assert len(made) == 60\n",
+        "assert len(made) == 60\n"
+        "assert not said, said\n",
     )
     assert done.returncode == 0, done.stderr
     assert len(list(tmp_path.iterdir())) == 59
+
+
+def test_what_fails_elsewhere_last_of_all_is_done_here_without_a_word(tmp_path: Path) -> None:
+    done = ran(
+        tmp_path,
+        "jobs = jobs[:8]\n"
+        "def decode(job):\n"
+        "    if os.getpid() == first: return\n"
+        "    # Three are taken ahead at most, so that the first makes the others.\n"
+        "    while len(list(folder.iterdir())) < 4: time.sleep(0.001)\n"
+        "    raise InputProblem(Message('only here'))\n"
+        "made = [each.written for each in outcomes(decode=decode)]\n"
+        "assert sorted(made) == [job.name for job in jobs], made\n"
+        "assert not said, said\n",
+    )
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize("end", ["os.kill(os.getpid(), signal.SIGKILL)", "raise ZeroDivisionError", "os._exit(1)"])

@@ -100,27 +100,28 @@ def shared_flow(
     part = Sharing(workers, min(sharing.window, _AHEAD * workers))
     missing = set(range(len(jobs)))
     with _driver_threads(sharing.processes), _Forks(jobs, steps, part, sharing.processes - 1) as forks:
-        for outcome in flow(forks.taken(), steps, part.workers, part.window, cancelled):
-            missing.discard(forks.place_of(outcome.job))
-            yield outcome
-            yield from forks.told(missing, patience_s=0.0)
+        with closing(flow(forks.taken(), steps, part.workers, part.window, cancelled)) as own:
+            for outcome in own:
+                missing.discard(forks.place_of(outcome.job))
+                yield outcome
+                yield from forks.told(missing, patience_s=0.0)
         forks.take_all()
         yield from forks.told(missing, patience_s=None)
-        if missing and not cancelled():
-            say(
-                Message(
-                    "a process that shared the work ended by itself; {count} pictures were made again",
-                    count=len(missing),
-                )
-            )
-            yield from flow([jobs[place] for place in sorted(missing)], steps, part.workers, part.window, cancelled)
+        if cancelled():
+            return
+        lost = len(missing - forks.failed)
+        if lost:
+            say(Message("a process that shared the work ended by itself; {count} pictures were made again", count=lost))
+        left = [jobs[place] for place in sorted(missing)]
+        with closing(flow(left, steps, part.workers, part.window, cancelled)) as own:
+            yield from own
 
 
 class _Forks(Generic[Made]):
     """The processes beside this one; a context manager, which leaves none of them behind."""
 
     def __init__(self, jobs: Sequence[FrameJob], steps: PipelineSteps[Made], sharing: Sharing, count: int) -> None:
-        self._jobs, self._steps, self._pace = jobs, steps, sharing
+        self._jobs, self._steps, self._sharing = jobs, steps, sharing
         self._places = {id(job): place for place, job in enumerate(jobs)}
         self._again: deque[int] = deque()
         self._tokens, self._spans = _tokens_for(jobs)
@@ -149,6 +150,11 @@ class _Forks(Generic[Made]):
             os.close(reading)
             os.waitpid(process, 0)
         os.close(self._tokens)
+
+    @property
+    def failed(self) -> frozenset[int]:
+        """The places of jobs that others could not do, and that this process has not begun yet."""
+        return frozenset(self._again)
 
     def place_of(self, job: FrameJob) -> int:
         """Return the place of a job among all."""
@@ -198,6 +204,9 @@ class _Forks(Generic[Made]):
             return
         # From here on in the other process, which must never return.
         try:
+            # Else it would itself keep the pipe open that nobody reads once the first has ended.
+            for end in (reading, *self._telling):
+                os.close(end)
             for number in (signal.SIGINT, signal.SIGTERM):
                 signal.signal(number, signal.SIG_IGN)  # the first takes away what there is to do
             self._make(writing)
@@ -206,8 +215,8 @@ class _Forks(Generic[Made]):
 
     def _make(self, writing: int) -> None:
         """Make what is taken and tell of it, as long as the first process lives."""
-        sharing = self._pace
-        with closing(flow(self.taken(), self._steps, sharing.workers, sharing.window, self._is_alone)) as outcomes:
+        part = self._sharing
+        with closing(flow(self.taken(), self._steps, part.workers, part.window, self._is_alone)) as outcomes:
             for outcome in outcomes:
                 said = pickle.dumps((self.place_of(outcome.job), outcome.written))
                 os.write(writing, _LENGTH.pack(len(said)) + said)
