@@ -148,18 +148,35 @@ class Band:
         return float(1 << self.level)
 
 
-def bands_of(blur: Blur, shadow: Extent) -> tuple[Band, ...]:
-    """Return the bands that a blurred shadow may touch, from the contact line outward, on both its sides."""
+def bands_of(blur: Blur, shadow: Extent, *, is_window: bool = False) -> tuple[Band, ...]:
+    """Return the bands that a blurred shadow may touch, from the contact line outward, on both its sides.
+
+    With ``is_window`` the extent is a part of a picture, of which nothing beyond is looked at; else the shape may grow
+    beyond it.
+    """
     if not blur.is_even:
-        return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side))
+        return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side, is_window=is_window))
     sigma = blur.sigma_at(0.0)
     if sigma <= SHARP_SIGMA_PX:
         return ()
-    grown = _growth(blur, shadow, sigma)
+    grown = 0.0 if is_window else _growth(blur, shadow, sigma)
     # Nothing bends an even blur over: where it is wide, still larger texels will do.
     largest = min(max(LARGEST_TEXEL_PX, sigma / 4), 2 * LARGEST_TEXEL_PX)
     core = (shadow.low - grown, shadow.high + grown)
     return (_band(shadow, core, sigma, grown, _level(shadow, _texel(shadow, sigma, largest))),)
+
+
+def felt_by(blur: Blur, shown: Extent) -> Extent:
+    """Return the part of a receiver that is blurred into a shown one: far where the blur is wide, near where it is not.
+
+    The width is convex in the distance between the places named here, so what reaches farthest is at one of them.
+    """
+    bends = (0.0, blur.distance_px, -blur.distance_px)
+    places = [shown.low, shown.high, *(v for v in bends if shown.low < v < shown.high)]
+    reaches = {v: REACH_SIGMAS * blur.sigma_at(v) for v in places}
+    along = max(reaches.values())
+    low, high = min(v - reach for v, reach in reaches.items()), max(v + reach for v, reach in reaches.items())
+    return Extent(shown.left - along, low, shown.right + along, high)
 
 
 def _texel(shadow: Extent, sigma_px: float, largest_px: float = LARGEST_TEXEL_PX) -> float:
@@ -182,10 +199,10 @@ def _disc(shadow: Extent) -> float:
     return 1.1 * sqrt((shadow.right - shadow.left) * (shadow.high - shadow.low) / pi) + 2.0
 
 
-def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
+def _side(blur: Blur, shadow: Extent, side: int, *, is_window: bool) -> Iterator[Band]:
     """Yield the bands on one side of the contact line, the distance doubling in each."""
     inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
-    grown = _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
+    grown = 0.0 if is_window else _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
     farthest = _farthest(blur, outer, grown)
     if farthest <= 0 or blur.sigma_at(farthest) <= SHARP_SIGMA_PX:
         return
@@ -193,7 +210,7 @@ def _side(blur: Blur, shadow: Extent, side: int) -> Iterator[Band]:
     for low, high, level in _cores(blur, shadow, first, farthest):
         core = (low, high) if side > 0 else (-high, -low)
         widest = blur.sigma_at(high)
-        yield _band(shadow, core, widest, _growth(blur, shadow, widest), level)
+        yield _band(shadow, core, widest, 0.0 if is_window else _growth(blur, shadow, widest), level)
 
 
 def _cores(blur: Blur, shadow: Extent, first: float, farthest: float) -> Iterator[tuple[float, float, int]]:

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of
+from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of, felt_by
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.sets.bodies import Body, Facet, Solid
 from kagezou.geometry.sets.laid_flat import FlatFace, FlatSheet, lines_of
@@ -70,7 +70,7 @@ def charted(job: FilterJob, receivers: Receivers) -> FilterJob:
             return alone
         job = replace(job, development=development)
         extents = [job.extent, *(_extent(job, number) for number in range(1, len(development.charts)))]
-        bands = [bands_of(job.blur, extent) for extent in extents]
+        bands = [bands_of(job.blur, extent, is_window=number > 0) for number, extent in enumerate(extents)]
         strips = laid_out(band for each in bands for band in each)
         if strips and len(strips) <= MAX_BANDS and strips[-1].box.bottom <= _TALLEST_TEXELS:
             return replace(job, charts=tuple(_split(extents, bands, strips)))
@@ -204,7 +204,7 @@ def _extent(job: FilterJob, number: int) -> Extent:
         max(each.high for each in parts),
     )
     u, v = job.moved_px
-    return _grown(around, _reach(job.blur, max(abs(around.low), abs(around.high))) + max(u, v))
+    return felt_by(job.blur, _grown(around, max(u, v) + _MARGIN_PX))
 
 
 def _grown(extent: Extent, by: float) -> Extent:
