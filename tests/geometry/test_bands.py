@@ -20,6 +20,7 @@ from kagezou.geometry.bands import (
     Blur,
     Extent,
     bands_of,
+    felt_by,
 )
 
 BEHIND = Extent(-200.0, -600.0, 300.0, 1.0)
@@ -156,3 +157,27 @@ def test_where_no_shadow_is_there_is_no_band() -> None:
     far = Extent(0.0, 900.0, 100.0, 1000.0)
     lowest = min(band.core.low for band in bands_of(Blur(40.0, 1000.0), far))
     assert lowest == pytest.approx(900.0 - min(REACH_SIGMAS * 40.0, 1.1 * (1e4 / pi) ** 0.5 + 2.0))
+
+
+@given(st.floats(1.0, 300.0), st.one_of(st.just(0.0), st.floats(20.0, 900.0)), st.floats(-400.0, 300.0))
+def test_nothing_is_blurred_into_a_window_from_beyond_what_it_feels(amount: float, distance: float, low: float) -> None:
+    blur, shown = Blur(amount, distance, 1.0, 0.05), Extent(-50.0, low, 70.0, low + 250.0)
+    felt = felt_by(blur, shown)
+    for part in range(101):
+        v = low + 2.5 * part
+        reach = REACH_SIGMAS * blur.sigma_at(v)
+        assert felt.low <= v - reach + 1e-6
+        assert felt.high >= v + reach - 1e-6
+        assert felt.left <= shown.left - reach + 1e-6
+    assert felt.low >= shown.low - REACH_SIGMAS * blur.sigma_at(max(abs(low), abs(low + 250.0))) - 1e-6
+
+
+@pytest.mark.parametrize("blur", [Blur(40.0, 200.0), Blur(40.0, 0.0)])
+def test_the_bands_of_a_window_show_no_more_than_that(blur: Blur) -> None:
+    window = Extent(-100.0, -500.0, 150.0, -60.0)
+    bands = bands_of(blur, window, is_window=True)
+    assert bands
+    for band in bands:
+        assert window.low <= band.core.low < band.core.high <= window.high
+        assert (band.core.left, band.core.right) == (window.left, window.right)
+    assert sum(band.core.high - band.core.low for band in bands) == pytest.approx(440.0)

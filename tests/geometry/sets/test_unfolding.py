@@ -114,17 +114,23 @@ def test_faces_without_a_place_crowd_nothing() -> None:
     assert any(sheet.chart == 0 for sheet in development.sheets)
 
 
-def test_what_stays_on_a_chart_lies_over_its_guests() -> None:
+def test_what_stays_on_a_chart_is_laid_over_its_guests() -> None:
     stand = shapes.stand_on(GROUND_PLANE, GROUND_PLANE.point(40.0, -200.0), 30.0)
     development = unfolded(GROUND_PLANE, lit_faces(shapes.steps(stand, 120.0, 80.0, 60.0, 3), 10.0, 40.0), 12, 0.0)
     over = 0
     for chart, laid in list(enumerate(development.charts))[1:]:
-        outlines = development.outlines(chart, 0.0)
+        order = [outline.sheet for outline in development.outlines(chart, 0.0)]
+        # First with what goes on beyond their edges, then without.
+        assert order[: len(laid)] == order[len(laid) :]
+        assert sorted(order[: len(laid)]) == sorted(laid)
+        place = {sheet: order.index(sheet) for sheet in laid}
         guests = [number for number in laid if development.sheets[number].is_guest]
-        own = [development.sheets[number].corners for number in laid if number not in guests]
-        for guest in guests:
-            covering = [corners for corners in own if covers(corners, development.sheets[guest].corners)]
-            hidden_by = [corners for outline in outlines if outline.sheet == guest for corners in outline.over]
-            assert all(any(np.array_equal(corners, found) for found in hidden_by) for corners in covering)
-            over += len(covering)
+        own = [number for number in laid if number not in guests]
+        assert all(place[guest] < place[number] for guest in guests for number in own)
+        assert [place[number] for number in own] == sorted(place[number] for number in own)
+        over += sum(
+            covers(development.sheets[number].corners, development.sheets[guest].corners)
+            for guest in guests
+            for number in own
+        )
     assert over

@@ -126,12 +126,11 @@ class Join:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FaceOutline:
-    """A part of a chart: the polygon (N, 2) in which a sheet's plane is seen, and those that lie over it."""
+class FlatOutline:
+    """A convex polygon (N, 2) of a chart in which a sheet's plane is seen, but for what later ones lie over."""
 
     sheet: int
     corners: Matrix
-    over: list[Matrix]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -156,34 +155,25 @@ class Development:
     crowded: frozenset[int] = frozenset()
 
     @lru_cache(maxsize=128)  # noqa: B019 -- a development is kept as long as its set stays
-    def outlines(self, chart: int, beyond_px: float) -> list["FaceOutline"]:
-        """Return what of the sheets of a chart is to be seen, flat.
+    def outlines(self, chart: int, beyond_px: float) -> tuple["FlatOutline", ...]:
+        """Return what of the sheets of a chart is to be seen, flat; later ones lie over those before.
 
         Beyond edges without a hinge a face's plane goes on for a while, so that the set's own edges blur no shadow; but
         not over other faces, nor where there is no room for it, nor farther than half of what there is of the face.
         """
         beyond_px = 0.0 if chart in self.crowded else beyond_px
-        laid = self.charts[chart]
+        laid = self._upward(chart)
         own = {each: self.sheets[each].corners for each in laid}
         wide = {
             each: widened(own[each], self._hinges(each, laid), min(beyond_px, narrowest(own[each]) / 2))
             for each in laid
         }
-        found: list[FaceOutline] = []
-        for each in laid:
-            upper = [other for other in laid if self._is_over(other, each)]
-            standing = [own[other] for other in upper if covers(own[other], own[each])]
-            beside = [own[other] for other in laid if covers(own[other], wide[each])]
-            beside += [wide[other] for other in upper if covers(wide[other], wide[each])]
-            found += [FaceOutline(each, own[each], standing), FaceOutline(each, wide[each], beside)]
-        return found
+        return tuple(FlatOutline(each, corners[each]) for corners in (wide, own) for each in laid)
 
-    def _is_over(self, number: int, other: int) -> bool:
-        """Whether one sheet of a chart lies over another: what stands on it does, and all do over guests."""
-        guests = self.sheets[number].is_guest, self.sheets[other].is_guest
-        if guests[0] != guests[1]:
-            return guests[1]
-        return number < other if guests[0] else number > other
+    def _upward(self, chart: int) -> list[int]:
+        """Return the sheets of a chart, each before those that lie over it: what stands on it, and all over guests."""
+        guests = [each for each in self.charts[chart] if self.sheets[each].is_guest]
+        return sorted(guests, reverse=True) + sorted(set(self.charts[chart]) - set(guests))
 
     def _hinges(self, number: int, laid: Sequence[int]) -> list[Matrix]:
         """Return the hinges of a sheet with what lies on the same chart."""

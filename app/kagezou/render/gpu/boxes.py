@@ -28,9 +28,7 @@ class Boxes:
     def draw(self, boxes: NDArray[np.float64]) -> None:
         """Draw boxes (N, 4): left, top, right, bottom in canvas px, with the program in use."""
         points = np.ascontiguousarray(boxes[:, _CORNERS], dtype=np.float32)
-        GL.glBindVertexArray(self._array)
-        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
-        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
+        self._load(self._array, points)
         GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(points) * 6)
 
     def load_numbered(self, boxes: NDArray[np.float64], numbers: NDArray[np.int64]) -> None:
@@ -39,9 +37,12 @@ class Boxes:
         points = np.empty((len(boxes), 6, 3), np.float32)
         points[..., :2] = corners
         points[..., 2] = numbers[:, np.newaxis]
-        GL.glBindVertexArray(self._numbered)
-        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
-        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
+        self._load(self._numbered, points)
+
+    def draw_triangles(self, corners: NDArray[np.float64]) -> None:
+        """Draw triangles (3·n, 3), each corner x and y in px and a number as for :meth:`load_numbered`."""
+        self._load(self._numbered, np.ascontiguousarray(corners, np.float32))
+        GL.glDrawArrays(GL.GL_TRIANGLES, 0, len(corners))
 
     def draw_loaded(self, first: int, count: int) -> None:
         """Draw ``count`` of the boxes handed over last, from ``first`` on, with the program in use."""
@@ -50,6 +51,11 @@ class Boxes:
     def draw_one(self, box: Box) -> None:
         """Draw one box with the program in use."""
         self.draw(np.array([[box.left, box.top, box.right, box.bottom]], dtype=np.float64))
+
+    def _load(self, array: int, points: NDArray[np.float32]) -> None:
+        GL.glBindVertexArray(array)
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, self._buffer)
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, points.nbytes, c_void_p(points.ctypes.data), GL.GL_STREAM_DRAW)
 
     def close(self) -> None:
         """Give the memory back."""

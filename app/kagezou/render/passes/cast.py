@@ -1,10 +1,12 @@
 """The pass that casts: a drawing's alpha through the light onto the receivers, as covered parts of canvas pixels."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import product
 from typing import Final
+
+import numpy as np
 
 from kagezou.geometry.box import Box, around
 from kagezou.geometry.ground import Plane
@@ -57,6 +59,18 @@ class Window:
     def cast(self, on_canvas: Cast) -> Cast:
         """Return a cast as this window shows it."""
         return on_canvas if self.canvas_from_target is None else on_canvas.seen_through(self.canvas_from_target)
+
+    def moved(self, box: Box, by_px: tuple[int, int]) -> "Window":
+        """Return the window in which a box of the target shows what was so many px before it."""
+        assert self.canvas_from_target is not None
+        back = np.eye(3)
+        back[:2, 2] = (-by_px[0], -by_px[1])
+        return replace(self, box=box, canvas_from_target=self.canvas_from_target @ back)
+
+    def seen_through(self, canvas_from_plane: Matrix) -> "Window":
+        """Return this window onto a plane as one onto the canvas, by a (3, 3) map."""
+        assert self.canvas_from_target is not None
+        return replace(self, canvas_from_target=canvas_from_plane @ self.canvas_from_target)
 
 
 class Laying(Enum):

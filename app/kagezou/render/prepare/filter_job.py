@@ -1,6 +1,6 @@
 """What is to be filtered: a cast, the coordinates it is blurred in, and how; and what a receiver shows of it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, isfinite
 
 import numpy as np
@@ -30,6 +30,9 @@ _FULL_AT_ONCE = 2.5
 """Already half a px of growth, softness or waves has the finest blur, so that nothing of the sharp shadow is left."""
 
 
+GROUND_CHART = 0
+"""The number of the chart that shows the ground alone."""
+
 _BEYOND_SIGMAS = 2.5
 """How far, in standard deviations of its blur, a face that is laid flat goes on beyond its free edges."""
 
@@ -45,12 +48,12 @@ class Chart:
     strips
         Those of the atlas that it is blurred in.
     number
-        Of the development; 0 is the ground alone.
+        Of the development.
     """
 
     extent: Extent
     strips: tuple[Strip, ...]
-    number: int = 0
+    number: int = GROUND_CHART
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -202,6 +205,11 @@ class BlurView:
         canvas_from_flat = canvas_from_plane(job.cast.camera, sheet.face.plane) @ np.linalg.inv(sheet.flat_from_plane)
         on_canvas = job.slid(stretched(canvas_from_flat, job.ground_from_blurred))
         return BlurView(job, sheet.face.plane, on_canvas, box, sheet.chart, job.development.joins_of(number))
+
+    @property
+    def cast(self) -> ShadowCast:
+        """That of the job, on this receiver."""
+        return replace(self.job.cast, receivers=(self.receiver,))
 
     @property
     def strips(self) -> tuple[Strip, ...]:

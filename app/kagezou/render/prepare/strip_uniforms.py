@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
 from kagezou.render.prepare.band_atlas import Strip
-from kagezou.render.prepare.cast_parts import least_level, steps_to
+from kagezou.render.prepare.cast_parts import steps_to
 from kagezou.render.prepare.filter_job import Chart, FilterJob
 from kagezou.render.prepare.filter_uniforms import MAX_BANDS, Uniforms, width_uniforms
 from kagezou.render.prepare.shadow_levels import ShadowLevels, variance_of
+from kagezou.render.prepare.sheet_slots import SheetSlot
 
 STRIPS = frozenset({f"STRIPS {MAX_BANDS}"})
 
@@ -37,15 +38,24 @@ def crop_uniforms(levels: ShadowLevels, strips: Sequence[Strip]) -> Uniforms:
     return {"u_shifts": shifts, "u_pictures": pictures}
 
 
+def slot_uniforms(slots: Sequence[SheetSlot]) -> Uniforms:
+    """Return the arrays of ``passes/crop.frag`` for sheets that were cast aside."""
+    shifts, pictures = (np.zeros((MAX_BANDS, 4)) for _ in range(2))
+    for index, slot in enumerate(slots):
+        shifts[index, :2] = slot.shift
+        pictures[index] = (slot.box.left, slot.box.top, slot.box.right - 1, slot.box.bottom - 1)
+    return {"u_shifts": shifts, "u_pictures": pictures}
+
+
 def blur_uniforms(job: FilterJob) -> Uniforms:
     """Return what ``passes/blur.frag`` wants."""
-    least = least_level(job)
     told, ranges = (np.zeros((MAX_BANDS, 4)) for _ in range(2))
     index = 0
     for chart in job.charts:
+        steps = steps_to(chart)
         for strip in chart.strips:
             band, box = strip.band, strip.box
-            taken = variance_of(steps_to(strip, least)) + _SPLINE_VARIANCE
+            taken = variance_of(steps[strip]) + _SPLINE_VARIANCE
             told[index] = (band.needed.low, box.top, band.texel_px, taken)
             held = held_box(chart, strip)
             ranges[index] = (held.left, box.top, held.right - 1, box.bottom - 1)
