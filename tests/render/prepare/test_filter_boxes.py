@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kagezou.geometry.bands import FINEST_SIGMA_PX
+from kagezou.geometry.bands import FINEST_SIGMA_PX, Extent
 from kagezou.geometry.box import Box
 from kagezou.render.prepare.filter_boxes import box_near_contact, box_seen, sure_values
 from kagezou.render.prepare.filter_job import RAMP, BlurView, FilterJob
@@ -157,3 +157,10 @@ def test_a_wider_edge_leaves_fewer_values_sure() -> None:
     assert narrow.empty >= wide.empty
     assert narrow.full <= wide.full
     assert sure_values(job_with({SHADOW + "softness": 2.0}), 0.0).empty < 1e-5
+
+
+@pytest.mark.parametrize(("low", "high"), [(60.0, 300.0), (-300.0, -60.0)])
+def test_a_chart_away_from_the_contact_line_has_nothing_of_the_sharp_shadow(low: float, high: float) -> None:
+    job = job_with(WIDENING)
+    away = replace(job, charts=(replace(job.charts[0], extent=Extent(-100.0, low, 100.0, high)),))
+    assert box_near_contact(BlurView.of_ground(away, CANVAS)) is None

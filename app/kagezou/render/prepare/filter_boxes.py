@@ -32,8 +32,10 @@ def box_near_contact(view: BlurView) -> Box | None:
     if blur.sigma_at(0.0) >= FINEST_SIGMA_PX:
         return None
     away = min(blur.distance_of(FINEST_SIGMA_PX), LARGEST_PLANE_PX)
-    ends = (extent.left, max(extent.low, -away)), (extent.right, min(extent.high, away))
-    seen = bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, *ends))
+    low, high = max(extent.low, -away), min(extent.high, away)
+    if low >= high:
+        return None
+    seen = bounding_box(seen_rectangle(view.box, view.blurred_from_canvas, (extent.left, low), (extent.right, high)))
     return None if seen is None else seen.grown(1).intersection(view.box)
 
 

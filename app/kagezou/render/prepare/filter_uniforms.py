@@ -1,5 +1,6 @@
 """The numbers of a filtered shadow as ``passes/shape.frag`` wants them."""
 
+from functools import lru_cache
 from statistics import NormalDist
 
 import numpy as np
@@ -144,8 +145,9 @@ def _edge_uniforms(job: FilterJob, edge: Edge, level: float) -> Uniforms:
     }
 
 
+@lru_cache(maxsize=4)
 def _band_uniforms(strips: tuple[Strip, ...], *, whole: bool) -> Uniforms:
-    """Return the arrays of ``passes/shape.frag``."""
+    """Return the arrays of ``passes/shape.frag``, not to be changed; kept, as all receivers of a job want the same."""
     cores, places, sizes = (np.zeros((MAX_BANDS, 4)) for _ in range(3))
     for index, strip in enumerate(strips):
         core, shown = strip.band.core, strip.shown
