@@ -80,16 +80,24 @@ class FigureStances:
 
 _known: Remembered[FigureStances | None] = Remembered(64)
 
+_of_layers: Remembered[FigureStances | None] = Remembered(256)
+"""By the layers as they are: while one is edited most of them stay, and need not be asked what decides."""
+
 
 def stances_of(document: Document, figure_id: str) -> FigureStances | None:
     """Return how a figure stands over the cut; None where no feet were found or put in any of its drawings."""
     parts = parts_of(document, figure_id)
-    made_of = (document.canvas, *(part for layer in parts for part in (layer.cels, layer.figure, *_moving(layer))))
-    return _known.of(made_of, lambda: _made(document, parts))
+
+    def asked() -> FigureStances | None:
+        made_of = (document.canvas, *(part for layer in parts for part in (layer.cels, layer.figure, *_moving(layer))))
+        return _known.of(made_of, lambda: _made(document, parts))
+
+    return _of_layers.of((document.canvas, *parts), asked)
 
 
 def forget_stances() -> None:
     """Keep nothing of documents that are gone: their drawings would stay in memory with how they stand."""
+    _of_layers.forget()
     _known.forget()
 
 

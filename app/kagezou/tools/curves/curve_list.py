@@ -55,9 +55,10 @@ def curves_of(
         The layers that are chosen beside it; a property that is linked has its curves once.
     """
     curves: list[Curve] = []
-    more = (Address(prop, other) for other in others for prop in OF_LAYER.values())
+    more = (address for other in others for address in _ever_set(document, other, None))
     apart = (address for address in more if not is_linked(document, address))
-    for address in (*_addresses(layer_id, piece_id), *apart):
+    own = () if layer_id is None and piece_id is None else _ever_set(document, layer_id, piece_id)
+    for address in (*_ever_set(document, None, None), *own, *apart):
         track = track_of(document, address)
         if not track.is_keyed or address.property.holds_only:
             continue
@@ -90,15 +91,17 @@ def _same(those: Iterable[Layer | Piece], known_id: str, name: str) -> str | Non
     return known_id if known_id in ids else next((each for each, called in ids.items() if called == name), None)
 
 
-def _addresses(layer_id: str | None, piece_id: str | None) -> Iterator[Address]:
-    for prop in OF_DOCUMENT.values():
-        yield Address(prop)
-    if layer_id is not None:
-        for prop in OF_LAYER.values():
-            yield Address(prop, layer_id)
+def _ever_set(document: Document, layer_id: str | None, piece_id: str | None) -> Iterator[Address]:
+    """Yield the properties of the scene, a layer or a piece that have a track, in table order; others have no keys."""
     if piece_id is not None:
-        for prop in OF_PIECE.values():
-            yield Address(prop, piece_id=piece_id)
+        table, tracks = OF_PIECE, document.piece(piece_id).tracks
+    elif layer_id is not None:
+        table, tracks = OF_LAYER, document.layer(layer_id).tracks
+    else:
+        table, tracks = OF_DOCUMENT, document.tracks
+    for name, prop in table.items():
+        if name in tracks:
+            yield Address(prop, layer_id, piece_id)
 
 
 def _name(address: Address, component: int, count: int) -> str:

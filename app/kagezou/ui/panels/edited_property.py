@@ -1,6 +1,6 @@
 """One property of one or several layers as something to edit: its value, its keys, its link; no widget."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 from PySide6.QtCore import QCoreApplication
 
@@ -45,6 +45,10 @@ class EditedProperty:
         self.address = address
         self.addresses = (address, *others)
         self._gesture: Gesture | None = None
+
+    def is_about(self, addresses: Collection[Address]) -> bool:
+        """Return whether any of some properties is edited here."""
+        return any(address in addresses for address in self.addresses)
 
     @property
     def tracks(self) -> tuple[Track, ...]:

@@ -7,7 +7,9 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from kagezou.document import properties
 from kagezou.document.address import Address
+from kagezou.document.changes import tracks_changed
 from kagezou.document.figure_properties import PLACEMENT_LINES
+from kagezou.document.model import Document
 from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
 from kagezou.document.property import AnyProperty, Scope
@@ -47,6 +49,7 @@ class Inspector(QScrollArea):
         self._bridge, self._folds = bridge, folds or Folds()
         self.menus = PropertyMenus(clipboard)
         self._built_for: tuple[object, ...] | None = None
+        self._shown: tuple[Document, int] | None = None
         self.sections: dict[Group, Section] = {}
         """The sections there are now, in the order in which they stand."""
         self.owner: PieceName | None = None
@@ -110,23 +113,31 @@ class Inspector(QScrollArea):
         self.ensureWidgetVisible(widget, 0, 12)
 
     def _refresh(self) -> None:
-        self._follow_selection()
-        for row in self.rows:
+        document, frame = self._bridge.document, self._bridge.frame
+        is_built_anew = self._follow_selection()
+        shown, self._shown = self._shown, (document, frame)
+        # While something is dragged it is one of many that are seen here.
+        alone = None if is_built_anew or shown is None or shown[1] != frame else tracks_changed(shown[0], document)
+        rows = self.rows if alone is None else [row for row in self.rows if row.edited.is_about(alone)]
+        were_changed = [row.is_changed for row in rows]
+        for row in rows:
             row.refresh()
         if self.waves is not None:
             self.waves.refresh()
         if self.owner is not None:
             self.owner.refresh()
-        self._show_relevant()
+        if alone is None or _decide(alone) or were_changed != [row.is_changed for row in rows]:
+            self._show_relevant()
         self._show_measured_tilt()
 
-    def _follow_selection(self) -> None:
+    def _follow_selection(self) -> bool:
+        """Build the rows of what is chosen; return whether they are others than before."""
         ids, piece_id = self._bridge.layer_ids, self._bridge.piece_id
         joins = tuple(self._bridge.document.layer(each).joins for each in ids)
         wanted = (self._bridge.session, ids, joins, piece_id)
         before, self._built_for = self._built_for, wanted
         if wanted == before:
-            return
+            return False
         self._drop_owned()
         self.owner = None if piece_id is None else PieceName(self._bridge, piece_id)
         self._fill(Scope.PIECE, () if piece_id is None else (piece_id,))
@@ -141,6 +152,7 @@ class Inspector(QScrollArea):
         if shown is not None and before is not None and before[0] is self._bridge.session and (before[1] or before[3]):
             # Another layer or piece was chosen by hand: it is shown, wherever the panel was.
             self._scroll_to(shown)
+        return True
 
     def _drop_owned(self) -> None:
         """Take away what was about the layer or piece worked on before."""
@@ -229,6 +241,11 @@ class Inspector(QScrollArea):
         row.set_editable(editable=not any(card.is_tilt_measured for card in cards))
         if len(cards) == 1 and cards[0].is_tilt_measured:
             row.editor.show_value(cards[0].tilt_deg)
+
+
+def _decide(addresses: Iterable[Address]) -> bool:
+    """Return whether it hangs on properties which others mean something."""
+    return any(each.property is properties.LIGHT_KIND or each.piece_id is not None for each in addresses)
 
 
 def _is_of_scene(section: Section) -> bool:
