@@ -236,6 +236,7 @@ class _Making:
             kind=exporter.key,
             format=exporter.formats(ExportChoices(kind=exporter.key))[0],
             skip_existing=orders.skip_existing,
+            missing=orders.missing.value,
         )
         place = Place(self._folder, self._project, self._cut.name)
         request = replace(exporter.request(document, choices, place), workers=orders.workers)

@@ -16,7 +16,7 @@ from kagezou.errors import UsageProblem
 from kagezou.export.farm_parameters import definitions
 from kagezou.export.file_names import USUAL, FileNames
 from kagezou.export.planning import PIXEL_BYTES, planned
-from kagezou.export.request import ExportRequest
+from kagezou.export.request import ExportRequest, Missing
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.sets.gltf import files_beside
@@ -187,6 +187,7 @@ def _words(request: FarmRequest) -> list[str]:
     export = request.export
     words = ["render", "{{Param.ProjectFile}}", "-o", "{{Param.OutputDir}}", "--frames", "{{Task.Param.Frame}}"]
     words += ["--format", "{{Param.Format}}", "--depth", "{{Param.Depth}}"]
+    words += ["--missing", "{{Param.Missing}}"]
     words += ["--path-mapping", "{{Session.PathMappingRulesFile}}", "--skip-existing", "--openjd"]
     words += _naming(export.names)
     for layer in export.layers or ():
@@ -237,6 +238,9 @@ def _assets(document: Document, request: FarmRequest) -> Json:
     for piece in document.pieces:
         if piece.source is not None:
             pictures |= {piece.source, *files_beside(piece.source)}
+    if request.export.missing is not Missing.FAIL:
+        # Who sends a job refuses one that names files which are not there.
+        pictures = {path for path in pictures if path.exists()}
     return {
         "inputs": {"filenames": [str(request.project), *sorted(map(str, pictures))], "directories": []},
         "outputs": {"directories": [str(request.export.folder)]},
