@@ -19,6 +19,7 @@ from kagezou.export.planning import PIXEL_BYTES, planned
 from kagezou.export.request import ExportRequest, Missing
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
+from kagezou.io.files.folders import entries_to_write
 from kagezou.io.sets.gltf import files_beside
 from kagezou.message import Message
 
@@ -130,7 +131,7 @@ def write_job(trees: Mapping[str, Json], folder: Path, output: Path) -> tuple[Pa
 
 def _check_folder(folder: Path, output: Path) -> None:
     """Refuse a folder that holds anything but a bundle, such as frames: whoever sends a bundle sends all of it."""
-    others = [each for each in (folder.iterdir() if folder.is_dir() else ()) if each.name not in _FILES]
+    others = [each for each in entries_to_write(folder) if each.name not in _FILES]
     seen = sorted(each.name for each in others if not each.name.startswith("."))
     if folder.absolute() == output.absolute():
         raise UsageProblem(

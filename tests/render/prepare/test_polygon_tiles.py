@@ -40,4 +40,4 @@ def test_a_large_polygon_is_mostly_inside() -> None:
     square = lines_of(np.array([[-10.0, -10.0], [200.0, -10.0], [200.0, 50.0], [-10.0, 50.0]]))
     inside, edge = polygon_tiles([square], BOX)
     assert inside[:, 3].max() == 48
-    assert (edge[:, 1].min(), edge[:, 3].max()) == (48, 56)
+    assert (int(edge[:, 1].min()), int(edge[:, 3].max())) == (48, 56)
