@@ -123,9 +123,7 @@ class _Walk:
         try:
             solid = solid_of(str(prim.GetTypeName()), lambda name: prim.GetAttribute(name).Get(self.opened.time))
         except (TypeError, ValueError, KeyError) as error:  # a measure that is no number, an axis that there is none of
-            raise input_problem(
-                self.opened.path, Message("it cannot be read as USD: the file is damaged")
-            ) from error
+            raise input_problem(self.opened.path, Message("it cannot be read as USD: the file is damaged")) from error
         if solid is None:
             self.left_out[str(prim.GetTypeName()) or "?"] += 1
         return solid
