@@ -1,8 +1,10 @@
-"""Damages picture files of every format at random and reads them: each must end in a picture or in one sentence.
+"""Damages files of every format at random and reads them: each must end in what it holds or in one sentence.
 
-    python packaging/dev_mutants.py [COUNT] [SEED]
+    python packaging/dev_mutants.py [COUNT] [SEED] [FORMAT …]
 
-COUNT files a format (2000) are read in child processes, so that a crash or a hang is counted and the others go on.
+COUNT files a format (2000) are read in child processes, so that a crash or a hang is counted and the others go on. The
+program itself reads each USD file in a process of its own; here many share one, and where that one ends, its files are
+read again as the program reads them.
 """
 
 import io
@@ -14,7 +16,8 @@ import sys
 import tempfile
 import zlib
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, Final
 
@@ -22,13 +25,27 @@ import numpy as np
 import OpenImageIO as oiio  # noqa: N813  # the name its own manual uses
 from PIL import Image
 
-FORMATS: Final = ("tga", "tif", "exr", "webp", "png", "jpg", "gif", "bmp")
-_HANG_S: Final = 60
+PICTURES: Final = ("tga", "tif", "exr", "webp", "png", "jpg", "gif", "bmp", "psd")
+SETS: Final = ("ply", "stl", "obj", "glb", "gltf")
+USD: Final = ("usda", "usdc", "usdz")
+SHEETS: Final = ("xdts", "sts")
+FORMATS: Final = (*PICTURES, *SETS, *USD, *SHEETS)
+_ROOT: Final = Path(__file__).parent.parent
+_CORPUS: Final = _ROOT / "tests" / "corpus"
+_HANG_S: Final = 240
+_APART_S: Final = 1200
 _BATCH: Final = 100
 
 
 def seeds(form: str) -> list[bytes]:
     """Return small whole files of a format, of several kinds."""
+    if form in ("psd", *SHEETS):
+        return [path.read_bytes() for path in sorted(_CORPUS.rglob(f"*.{form}"))]
+    if form not in PICTURES:
+        from tests.io.sets.mutants import originals
+
+        with tempfile.TemporaryDirectory() as folder:
+            return [originals(Path(folder), with_usd=form in USD)[f".{form}"]]
     chance = np.random.default_rng(1)
     rgba = np.repeat(chance.integers(0, 256, (9, 5, 4)).astype(np.uint8), 3, axis=1)
     image, opaque = Image.fromarray(rgba), Image.fromarray(rgba[..., :3])
@@ -127,24 +144,82 @@ def _mended(data: bytes, chance: random.Random) -> bytes:
     return out + data[at:]
 
 
-def outcomes(form: str, count: int, seed: int) -> Counter[str]:
-    """Return how many files were read, refused by a sentence, or ended otherwise, in this process."""
-    from kagezou.errors import InputProblem
+def mutants_of(form: str, seed: int) -> list[Iterator[bytes]]:
+    """Return damaged files of a format without end, a source for each seed; where numbers are words, those as well."""
+    chance = random.Random(f"{form}{seed}")
+    if form in PICTURES:
+        return [mutants(each, chance) for each in seeds(form)]
+    from tests.io.sets.mutants import mutants as text_mutants
+
+    return [text_mutants(each, 1 << 30, chance.randrange(1 << 30)) for each in seeds(form)]
+
+
+def _read_picture(path: Path, number: int) -> None:
     from kagezou.importing.file_pages import FILM_RATE, pages_of
     from kagezou.io.images.reading import probe, read_cel, read_matte
 
-    chance = random.Random(f"{form}{seed}")
-    sources = [mutants(each, chance) for each in seeds(form)]
+    probe(path)
+    pages = pages_of(path, FILM_RATE)
+    read_matte(path if pages is None else pages.cels.drawings[-1].source)
+    read_cel(path, white_is_clear=bool(number % 2))
+
+
+def _read_psd(path: Path, number: int) -> None:
+    from kagezou.importing.inspection import inspected
+
+    inspected(path)
+    _read_picture(path, number)
+
+
+def _read_set(path: Path, _number: int) -> None:
+    from kagezou.io.sets.cameras import cameras_of, up_axis_of
+    from kagezou.io.sets.mesh_cache import read_set
+
+    up_axis_of(path)
+    cameras_of(path, Fraction(24))
+    read_set(path)
+
+
+def _read_usd_here(path: Path, _number: int) -> None:
+    from kagezou.errors import InputProblem
+    from kagezou.io.sets.usd_child import contents_of
+    from kagezou.message import Message
+
+    with np.errstate(all="ignore"):
+        found = contents_of(path, Fraction(24))
+    if isinstance(found.triangles, Message):
+        raise InputProblem(found.triangles)
+
+
+def _read_sheets(path: Path, _number: int) -> None:
+    from kagezou.io.sheets.reading import read_sheets
+
+    read_sheets(path)
+
+
+def _reader(form: str, *, apart: bool) -> Callable[[Path, int], None]:
+    """Return what asks a file for all it may hold; USD as the program does where that is asked for."""
+    if form in SHEETS:
+        return _read_sheets
+    if form == "psd":
+        return _read_psd
+    if form in PICTURES:
+        return _read_picture
+    return _read_usd_here if form in USD and not apart else _read_set
+
+
+def outcomes(form: str, count: int, seed: int, *, apart: bool = False) -> Counter[str]:
+    """Return how many files were read, refused by a sentence, or ended otherwise, in this process."""
+    from kagezou.errors import InputProblem
+
+    sources, read = mutants_of(form, seed), _reader(form, apart=apart)
     found: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
         for number in range(count):
             path = Path(folder) / f"{number}.{form}"
             path.write_bytes(next(sources[number % len(sources)]))
             try:
-                probe(path)
-                pages = pages_of(path, FILM_RATE)
-                read_matte(path if pages is None else pages.cels.drawings[-1].source)
-                read_cel(path, white_is_clear=bool(number % 2))
+                read(path, number)
                 found["read"] += 1
             except InputProblem as problem:
                 found["refused" if "\n" not in str(problem) else "refused by several lines"] += 1
@@ -155,29 +230,39 @@ def outcomes(form: str, count: int, seed: int) -> Counter[str]:
 
 
 def main(words: list[str]) -> int:
-    """Run all formats and print the counts."""
+    """Run all formats, or those that are named, and print the counts."""
+    sys.path.insert(0, str(_ROOT))
     if words[:1] == ["--child"]:
         form, count, seed = words[1], int(words[2]), int(words[3])
-        print(json.dumps(outcomes(form, count, seed)))
+        print(json.dumps(outcomes(form, count, seed, apart="--apart" in words)))
         return 0
     count, first = int(words[0]) if words else 2000, int(words[1]) if words[1:] else 1
     bad = 0
-    for form in FORMATS:
+    for form in words[2:] or FORMATS:
         found: Counter[str] = Counter()
         for seed in range(first, first + -(-count // _BATCH)):
-            command = [sys.executable, __file__, "--child", form, str(_BATCH), str(seed)]
-            try:
-                done = subprocess.run(command, capture_output=True, text=True, timeout=_HANG_S, check=False)
-            except subprocess.TimeoutExpired:
-                found[f"hang (seed {seed})"] += 1
-                continue
-            if done.returncode:
-                found[f"crash {done.returncode} (seed {seed})"] += 1
-            else:
-                found.update(json.loads(done.stdout.splitlines()[-1]))
+            came = _of_child(form, seed)
+            if form in USD and not came.keys() <= _SOUND:
+                print(f"{form}: seed {seed} again, each in a process of its own, after {dict(came)}", flush=True)
+                came = _of_child(form, seed, "--apart")
+            found.update(came)
         print(form, dict(found), flush=True)
-        bad += sum(number for name, number in found.items() if name not in {"read", "refused"})
+        bad += sum(number for name, number in found.items() if name not in _SOUND)
     return min(bad, 1)
+
+
+_SOUND: Final = frozenset({"read", "refused"})
+
+
+def _of_child(form: str, seed: int, *how: str) -> Counter[str]:
+    command = [sys.executable, __file__, "--child", form, str(_BATCH), str(seed), *how]
+    try:
+        done = subprocess.run(command, capture_output=True, timeout=_APART_S if how else _HANG_S, check=False)
+    except subprocess.TimeoutExpired:
+        return Counter({f"hang (seed {seed})": 1})
+    if done.returncode:
+        return Counter({f"crash {done.returncode} (seed {seed})": 1})
+    return Counter(json.loads(done.stdout.splitlines()[-1]))
 
 
 if __name__ == "__main__":

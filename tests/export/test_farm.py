@@ -20,7 +20,7 @@ from kagezou.export.farm_program import program_here
 from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
 from kagezou.export.ledger import LEDGER_NAME
-from kagezou.export.request import ExportRequest
+from kagezou.export.request import ExportRequest, Missing
 from kagezou.geometry.sets.measures import PieceKind
 from kagezou.io.project.file import save
 from kagezou.io.project.path_mapping import Rule, mapped, read_rules, with_mapped_paths
@@ -59,6 +59,10 @@ def bundle(
     request = FarmRequest(project, asked or ExportRequest(folder / "out"), chunk, str(worker))
     write_bundle(document, request, folder / "job")
     return folder / "job" / TEMPLATE, project
+
+
+def _unwatched(_done: int, _all: int) -> None:
+    pass
 
 
 def openjd(*words: str) -> subprocess.CompletedProcess[str]:
@@ -130,6 +134,21 @@ def test_a_farm_makes_all_that_a_local_render_can(
 
 
 @posix
+def test_workers_hold_what_is_missing_as_the_job_says(document: Document, worker: Path, tmp_path: Path) -> None:
+    document.layers[0].cels.drawings[1].path.unlink()
+    asked = ExportRequest(tmp_path / "farm", frames=(1, 2, 3), missing=Missing.HOLD)
+    export_frames(document, replace(asked, folder=tmp_path / "local"), open_headless_context, _unwatched, lambda: False)
+    job, project = bundle(document, tmp_path, worker, asked=asked)
+    done = openjd(*run_words(job, project, tmp_path / "farm"))
+    assert done.returncode == 0, done.stdout
+    assert "openjd_status: A: missing, so the nearest drawing is held on frames 2: a_0002.png" in done.stdout
+    assert bytes_below(tmp_path / "farm") == bytes_below(tmp_path / "local")
+    stopped = openjd(*run_words(job, project, tmp_path / "no"), "-p", "Missing=fail")
+    assert stopped.returncode != 0
+    assert "a_0002.png: the drawing is missing" in stopped.stdout
+
+
+@posix
 @pytest.mark.parametrize(
     ("form", "depth", "suffix"), [("exr", "auto", "exr"), ("tga", "16", "tga"), ("exr", "8", "exr")]
 )
@@ -166,7 +185,7 @@ def test_a_job_says_what_a_worker_must_have_and_how_long_a_task_may_take(documen
     }
     assert shown == {
         "ProjectFile": "CHOOSE_INPUT_FILE", "OutputDir": "CHOOSE_DIRECTORY", "Frames": "LINE_EDIT",
-        "Format": "DROPDOWN_LIST", "Depth": "DROPDOWN_LIST", "Program": "LINE_EDIT",
+        "Format": "DROPDOWN_LIST", "Depth": "DROPDOWN_LIST", "Missing": "DROPDOWN_LIST", "Program": "LINE_EDIT",
     }  # fmt: skip
     with pytest.raises(UsageProblem, match="1 to 1440 minutes, not 0"):
         FarmRequest(tmp_path / "a.kage", ExportRequest(tmp_path), frame_minutes=0)

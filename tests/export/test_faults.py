@@ -14,7 +14,7 @@ import pytest
 
 from kagezou.document.model import Document
 from kagezou.errors import DiskFullProblem, OutputProblem
-from kagezou.io.project.file import save
+from kagezou.io.project.file import load, save
 from tests.export.small_cuts import bytes_below, cut, export, with_key
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and limits of Unix")
@@ -44,6 +44,39 @@ def test_a_folder_that_refuses_is_told_before_the_first_frame(tmp_path: Path, mo
     monkeypatch.setattr(os, "open", refusing)
     with pytest.raises(OutputProblem, match=r"A_shadow.*permission denied"):
         export(cut(tmp_path), tmp_path / "out")
+
+
+@pytest.fixture
+def read_only(tmp_path: Path) -> Iterator[Path]:
+    """A folder that holds a cut and takes nothing; for root, whom no right binds, a disk that is read-only."""
+    folder = tmp_path / "read only"
+    folder.mkdir()
+    is_root = os.geteuid() == 0
+    mount = ["mount", "-t", "tmpfs", "tmpfs", str(folder)]
+    if is_root and subprocess.run(mount, capture_output=True, check=False).returncode:
+        pytest.skip("a disk cannot be mounted here")
+    try:
+        save(cut(folder), folder / "cut.kage")
+        folder.chmod(0o555)
+        if is_root:
+            subprocess.run(["mount", "-o", "remount,ro", str(folder)], check=True)
+        yield folder
+    finally:
+        if is_root:
+            subprocess.run(["umount", str(folder)], check=True)
+        folder.chmod(0o755)
+
+
+def test_a_place_that_really_takes_nothing_is_told(read_only: Path) -> None:
+    project = read_only / "cut.kage"
+    document, before = load(project), project.read_bytes()
+    why = "(permission denied|the disk is read-only)"
+    with pytest.raises(OutputProblem, match=rf"out.*{why}"):
+        export(document, read_only / "out")
+    with pytest.raises(OutputProblem, match=rf"cut\.kage: cannot be written: {why}"):
+        save(document, project)
+    assert project.read_bytes() == before
+    assert sorted(path.name for path in read_only.iterdir()) == ["cut.kage", "drawings"]
 
 
 def test_a_disk_that_cannot_hold_the_frames_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,9 +8,10 @@ from kagezou.document.edits import add_layer, set_background_cels, set_exposures
 from kagezou.document.model import Cels, Document, Exposure
 from kagezou.errors import InputProblem
 from kagezou.export.request import Missing, Summary
+from kagezou.export.stand_ins import Filled, filled_throughout
 from kagezou.geometry.box import Box
 from kagezou.io.images.reading import read_cel
-from tests.export.small_cuts import bytes_below, cut, drawings, export
+from tests.export.small_cuts import bytes_below, cut, drawings, export, with_values
 
 
 def lost(folder: Path, *numbers: int) -> Document:
@@ -101,3 +102,19 @@ def test_a_drawing_that_came_back_is_made_anew(tmp_path: Path) -> None:
     summary = export(document, tmp_path / "out", missing=Missing.HOLD, skip_existing=True)
     assert (summary.written, said(summary)) == (1, [])
     assert bytes_below(tmp_path / "out") == bytes_below(tmp_path / "whole")
+
+
+def test_a_matter_of_course_says_nothing(tmp_path: Path) -> None:
+    """Nothing is missing, so nothing stands in, however it is asked for."""
+    document = cut(tmp_path)
+    for way in Missing:
+        assert filled_throughout(document, way) == Filled(document)
+
+
+def test_what_hands_on_the_drawings_fills_those_that_cast_nothing_as_well(tmp_path: Path) -> None:
+    document = with_values(lost(tmp_path, 3), layers__A__visible=False)
+    filled = filled_throughout(document, Missing.HOLD)
+    assert [str(each) for each in filled.notes] == [
+        "A: missing, so the nearest drawing is held on frames 3: a_0003.png"
+    ]
+    assert [each.drawing for each in filled.document.layers[0].cels.exposures] == [0, 1, 1, 3, 4, 5]

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -78,6 +79,16 @@ def test_what_stands_in_for_a_missing_drawing(cut: Cut, tmp_path: Path, drawings
         came = cut.export(kagezou.Frames(tmp_path / word, missing=word))
         assert came.is_whole
         assert any(said in note for note in came.notes)
+    for wish in (
+        kagezou.Video(tmp_path / "a.mov", missing="hold"),
+        kagezou.AfterEffects(tmp_path / "ae", missing="hold"),
+        kagezou.SceneFor(tmp_path / "nk", "nuke", missing="hold"),
+    ):
+        with pytest.raises(kagezou.InputProblem, match="walk_0002"):
+            cut.export(replace(wish, missing="fail"))
+        came = cut.export(wish)
+        assert came.is_whole
+        assert any("is held" in note for note in came.notes)
     with pytest.raises(kagezou.UsageProblem, match="missing is one of fail, empty, hold, not 'none'"):
         cut.export(kagezou.Frames(tmp_path / "out", missing="none"))
 

@@ -24,7 +24,7 @@ def made_of(cut: Path, folders: Iterable[str], orders: Orders) -> str:
     listed = sorted({*_states(cut), *(state for folder in folders for state in _of_folder(Path(folder), 1))})
     style = None if orders.style is None else dumps_style(orders.style)
     template = None if orders.template is None else state_of(orders.template)
-    asked = (orders.export, orders.with_light, sorted(orders.parts), style, template)
+    asked = (orders.export, orders.with_light, sorted(orders.parts), style, template, orders.missing.value)
     return hashlib.sha256(repr((engine(), asked, listed)).encode("utf-8", "backslashreplace")).hexdigest()
 
 

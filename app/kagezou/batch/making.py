@@ -236,6 +236,7 @@ class _Making:
             kind=exporter.key,
             format=exporter.formats(ExportChoices(kind=exporter.key))[0],
             skip_existing=orders.skip_existing,
+            missing=orders.missing.value,
         )
         place = Place(self._folder, self._project, self._cut.name)
         request = replace(exporter.request(document, choices, place), workers=orders.workers)
@@ -264,7 +265,16 @@ class _Making:
 
 
 def _files_in(folder: Path) -> list[tuple[str, int]]:
-    """Return the files of an output and their sizes, without hidden ones and without projects, which are looked at."""
-    found = (path for path in sorted(folder.rglob("*")) if path.is_file() and not path.suffix.startswith(".kage"))
-    inside = ((path.relative_to(folder), path.stat().st_size) for path in found)
+    """Return the files of an output and their sizes, without hidden ones and without projects, which are looked at.
+
+    Raises
+    ------
+    OutputProblem
+        The system refuses to tell.
+    """
+    try:
+        found = (path for path in sorted(folder.rglob("*")) if path.is_file() and not path.suffix.startswith(".kage"))
+        inside = [(path.relative_to(folder), path.stat().st_size) for path in found]
+    except OSError as error:
+        raise output_problem(folder, error) from error
     return [(name.as_posix(), size) for name, size in inside if not any(part[:1] == "." for part in name.parts)]

@@ -13,6 +13,7 @@ from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.table import AnyExporter
 from kagezou.export.exporters.video_file import VIDEO_FILE
+from kagezou.export.request import Missing
 
 EXPORTS: Final[Mapping[str, AnyExporter]] = MappingProxyType(
     {"frames": SHADOW_LAYERS, "ae": HAND_OFF, "layered": LAYERED_FRAMES, "video": VIDEO_FILE}
@@ -46,6 +47,8 @@ class Orders:
         Threads that read and write files for one cut.
     after
         What runs after the output of each cut, as for `hooks_of`.
+    missing
+        What stands in for a drawing that is not there.
     """
 
     output: Path
@@ -58,3 +61,4 @@ class Orders:
     renew: bool = False
     workers: int = 2
     after: str | None = None
+    missing: Missing = Missing.FAIL

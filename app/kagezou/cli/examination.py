@@ -21,8 +21,8 @@ from kagezou.locations import PRESET_FOLDERS, SHORTCUT_FOLDERS, STYLE_FOLDERS, s
 from kagezou.version import __version__
 
 _PACKAGES: Final = (
-    "numpy", "PyOpenGL", "OpenImageIO", "isal", "kornia-rs", "zlib-ng", "platformdirs", "PySide6-Essentials",
-    "shiboken6", "pyqtgraph", "psd-tools", "scipy", "aggdraw", "av",
+    "numpy", "PyOpenGL", "OpenImageIO", "isal", "kornia-rs", "zlib-ng", "mapbox-earcut", "pillow", "platformdirs",
+    "PySide6-Essentials", "shiboken6", "pyqtgraph", "psd-tools", "scipy", "aggdraw", "av", "usd-core", "DracoPy",
 )  # fmt: skip
 _RENDER_LIBRARIES: Final = {"libEGL.so.1": "libegl1", "libGL.so.1": "libgl1"}
 _WINDOW_LIBRARIES: Final = {

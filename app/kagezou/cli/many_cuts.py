@@ -18,6 +18,7 @@ from kagezou.cli.terminal import ProgressLine, give, note, one_line, tell
 from kagezou.document.taking import Part
 from kagezou.errors import Problem
 from kagezou.export.farm_program import USUAL, program_here
+from kagezou.export.request import Missing
 from kagezou.io.files.faults import output_problem, shown
 from kagezou.io.files.processors import processors
 from kagezou.io.project.paths import absolute
@@ -77,6 +78,7 @@ def words_of_one(options: Namespace, orders: Orders, workers: int) -> Callable[[
 def asked_of_all(options: Namespace, template: str | None) -> list[str]:
     """Return the words that say what is made of every cut; ``template`` is its project as they name it."""
     words = [f"--export={options.export}"]
+    words += [] if options.missing == Missing.FAIL else [f"--missing={options.missing}"]
     words += [] if options.style is None else [f"--style={options.style}"]
     words += [] if template is None else [f"--template={template}"]
     words += [] if options.after is None else [f"--after={options.after}"]

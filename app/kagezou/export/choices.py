@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Final
 
 from kagezou.export.file_names import USUAL
+from kagezou.export.request import Missing
 
 AS_CUT: Final = -1
 """Files bear the numbers that the frames of the cut bear."""
@@ -24,6 +25,8 @@ class ExportChoices:
         One of those of its exporter.
     depth, composite, receivers, united, skip_existing
         As of `ExportRequest`.
+    missing
+        A word of `Missing`.
     in_one
         Whether a farm makes frames of layers instead of shadow layers.
     per_drawing, copies, mattes, controls
@@ -47,6 +50,7 @@ class ExportChoices:
     united: bool = False
     in_one: bool = False
     skip_existing: bool = True
+    missing: str = Missing.FAIL.value
     per_drawing: bool = False
     copies: bool = True
     mattes: tuple[str, ...] = ()

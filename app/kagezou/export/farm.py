@@ -16,9 +16,10 @@ from kagezou.errors import UsageProblem
 from kagezou.export.farm_parameters import definitions
 from kagezou.export.file_names import USUAL, FileNames
 from kagezou.export.planning import PIXEL_BYTES, planned
-from kagezou.export.request import ExportRequest
+from kagezou.export.request import ExportRequest, Missing
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem, shown
+from kagezou.io.files.folders import entries_to_write
 from kagezou.io.sets.gltf import files_beside
 from kagezou.message import Message
 
@@ -130,7 +131,7 @@ def write_job(trees: Mapping[str, Json], folder: Path, output: Path) -> tuple[Pa
 
 def _check_folder(folder: Path, output: Path) -> None:
     """Refuse a folder that holds anything but a bundle, such as frames: whoever sends a bundle sends all of it."""
-    others = [each for each in (folder.iterdir() if folder.is_dir() else ()) if each.name not in _FILES]
+    others = [each for each in entries_to_write(folder) if each.name not in _FILES]
     seen = sorted(each.name for each in others if not each.name.startswith("."))
     if folder.absolute() == output.absolute():
         raise UsageProblem(
@@ -187,6 +188,7 @@ def _words(request: FarmRequest) -> list[str]:
     export = request.export
     words = ["render", "{{Param.ProjectFile}}", "-o", "{{Param.OutputDir}}", "--frames", "{{Task.Param.Frame}}"]
     words += ["--format", "{{Param.Format}}", "--depth", "{{Param.Depth}}"]
+    words += ["--missing", "{{Param.Missing}}"]
     words += ["--path-mapping", "{{Session.PathMappingRulesFile}}", "--skip-existing", "--openjd"]
     words += _naming(export.names)
     for layer in export.layers or ():
@@ -237,6 +239,9 @@ def _assets(document: Document, request: FarmRequest) -> Json:
     for piece in document.pieces:
         if piece.source is not None:
             pictures |= {piece.source, *files_beside(piece.source)}
+    if request.export.missing is not Missing.FAIL:
+        # Who sends a job refuses one that names files which are not there.
+        pictures = {path for path in pictures if path.exists()}
     return {
         "inputs": {"filenames": [str(request.project), *sorted(map(str, pictures))], "directories": []},
         "outputs": {"directories": [str(request.export.folder)]},

@@ -4,7 +4,7 @@ from typing import Any, Final
 
 from kagezou.animation.frames import format_frames
 from kagezou.document.model import Document
-from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest
+from kagezou.export.request import DEPTHS, LAYERED_SUFFIXES, SUFFIXES, ExportRequest, Missing
 
 AUTO_DEPTH: Final = "auto"
 """The depth that follows the format."""
@@ -80,6 +80,7 @@ def _settings(document: Document, export: ExportRequest, program: str) -> list[J
             "userInterface": shown_as("DROPDOWN_LIST", "Bits a channel", _FRAMES),
             "description": "Bits a channel; auto is what the format usually has. exr has 16, tga 8.",
         },
+        _missing(export),
         {
             "name": "Program",
             "type": "STRING",
@@ -88,6 +89,17 @@ def _settings(document: Document, export: ExportRequest, program: str) -> list[J
             "description": "How Kagezou is called on the workers: a name, or the path of the program.",
         },
     ]
+
+
+def _missing(export: ExportRequest) -> Json:
+    return {
+        "name": "Missing",
+        "type": "STRING",
+        "default": export.missing.value,
+        "allowedValues": [each.value for each in Missing],
+        "userInterface": shown_as("DROPDOWN_LIST", "Missing drawings", _FRAMES),
+        "description": "fail makes nothing; empty leaves these frames empty, hold shows the nearest drawing.",
+    }
 
 
 def shown_as(control: str, label: str, group: str) -> Json:

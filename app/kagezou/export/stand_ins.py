@@ -1,7 +1,7 @@
 """What stands in for drawings that are missing, where an export is to be made without them."""
 
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import chain
 from typing import Final
@@ -10,12 +10,20 @@ from kagezou.animation.frames import format_frames
 from kagezou.document.edits import set_background_cels, set_exposures
 from kagezou.document.model import Cels, Document, Exposure
 from kagezou.export.checks import missing_pictures, missing_pictures_of
-from kagezou.export.planning import Plan, planned
+from kagezou.export.planning import FrameJob, Plan, planned
 from kagezou.export.request import ExportRequest, Missing
 from kagezou.message import Message, first_names
 from kagezou.picture_source import PictureSource
 
 _BEHIND: Final = Message("background")
+
+
+@dataclass(frozen=True, slots=True)
+class Filled:
+    """A document in which something stands in for drawings that are missing, and what is to be said of each layer."""
+
+    document: Document
+    notes: tuple[Message, ...] = ()
 
 
 def planned_without_missing(document: Document, request: ExportRequest) -> Plan:
@@ -32,21 +40,41 @@ def planned_without_missing(document: Document, request: ExportRequest) -> Plan:
         A file of which a layer is needed cannot be read at all.
     """
     plan = planned(document, request)
-    if request.missing is Missing.FAIL:
+    filled = filled_for(document, plan.jobs, request.missing)
+    if not filled.notes:
         return plan
-    needed = missing_pictures(plan.jobs)
-    if not needed:
-        return plan
-    frames = tuple(dict.fromkeys(target.frame for job in plan.jobs for target in job.targets))
-    filled, notes = _filled(document, frozenset(needed), frames, request.missing)
-    again = planned(filled, request)
-    return replace(again, notes=(*notes, *again.notes))
+    again = planned(filled.document, request)
+    return replace(again, notes=(*filled.notes, *again.notes))
 
 
-def _filled(
-    document: Document, needed: frozenset[PictureSource], frames: Iterable[int], way: Missing
-) -> tuple[Document, list[Message]]:
+def filled_for(document: Document, jobs: Collection[FrameJob], way: Missing) -> Filled:
+    """Return a document with stand-ins for what its jobs need and is not there; InputProblem as above."""
+    if way is Missing.FAIL:
+        return Filled(document)
+    needed = missing_pictures(jobs)
+    return _filled(document, needed, dict.fromkeys(target.frame for job in jobs for target in job.targets), way)
+
+
+def filled_throughout(document: Document, way: Missing) -> Filled:
+    """Return a document with stand-ins for every drawing that is exposed in the cut and is not there.
+
+    For what hands on the drawings themselves, whether a shadow is made of them or not. InputProblem as above.
+    """
+    if way is Missing.FAIL:
+        return Filled(document)
+    frames = range(1, document.canvas.length_frames + 1)
+    shown = [
+        cels.drawing_at(frame)
+        for cels in (*(each.cels for each in document.layers), document.behind)
+        for frame in frames
+    ]
+    sources = dict.fromkeys(drawing.source for drawing in shown if drawing is not None)
+    return _filled(document, missing_pictures_of(sources), frames, way)
+
+
+def _filled(document: Document, lost: Iterable[PictureSource], frames: Collection[int], way: Missing) -> Filled:
     """Return the document with stand-ins on every layer and background that lacks something needed."""
+    needed = frozenset(lost)
     notes: list[Message] = []
     for layer in document.layers:
         shown = _shown(layer.cels, needed, way)
@@ -57,7 +85,7 @@ def _filled(
     if shown != document.behind.exposures:
         notes.append(_said(_BEHIND, document.behind, needed, frames, way))
         document = set_background_cels(document, replace(document.behind, exposures=shown))
-    return document, notes
+    return Filled(document, tuple(notes))
 
 
 def _shown(cels: Cels, needed: frozenset[PictureSource], way: Missing) -> tuple[Exposure, ...]:

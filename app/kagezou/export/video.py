@@ -14,9 +14,10 @@ from kagezou.export.frames import CEL_BUDGET_BYTES, decode, stops_of
 from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
 from kagezou.export.planning import FrameJob, in_order, jobs_of
-from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Progress
+from kagezou.export.request import SHADOWS, Cancelled, ExportRequest, Missing, Progress
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import OutputSequence, sequences_of
+from kagezou.export.stand_ins import filled_for
 from kagezou.export.subjects import CompositeSubject
 from kagezou.io.files.atomic import replace_by
 from kagezou.io.files.faults import output_problem
@@ -42,22 +43,26 @@ class VideoRequest:
         The layer whose shadow is shown alone; None for the finished picture.
     workers
         Threads that decode drawings and convert pictures.
+    missing
+        What stands in for a drawing that is not there.
     """
 
     path: Path
     frames: tuple[int, ...] | None = None
     layer: str | None = None
     workers: int = 2
+    missing: Missing = Missing.FAIL
 
 
 @dataclass(frozen=True, slots=True)
 class VideoSummary:
-    """What came of it: the file, how many frames it was to have, whether it is there, and how long it took."""
+    """What came of it: the file, how many frames it was to have, whether it is there, how long it took, and notes."""
 
     path: Path
     frames: int
     is_whole: bool
     seconds: float
+    notes: tuple[Message, ...] = ()
 
 
 def export_video(
@@ -70,7 +75,7 @@ def export_video(
     UsageProblem
         The request does not fit the document, the suffix is no video's, or what writes videos is not installed.
     InputProblem
-        A drawing is missing or cannot be read.
+        A drawing is missing and nothing stands in for it, or cannot be read.
     DiskFullProblem, OutputProblem
         The file cannot be written.
     GraphicsProblem
@@ -79,6 +84,8 @@ def export_video(
     started = time.monotonic()
     path = request.path.absolute()
     kind = kind_of(path)
+    filled = filled_for(document, video_jobs(document, request), request.missing)
+    document = filled.document
     jobs = video_jobs(document, request)
     check_sources(jobs)
     length = sum(len(job.targets) for job in jobs)
@@ -88,7 +95,7 @@ def export_video(
         replace_by(path, lambda temp: film.write(temp, open_context, progress, cancelled))
         is_whole = True
         progress(length + 1, length + 1)
-    return VideoSummary(path, length, is_whole, time.monotonic() - started)
+    return VideoSummary(path, length, is_whole, time.monotonic() - started, filled.notes)
 
 
 def video_jobs(document: Document, request: VideoRequest) -> tuple[FrameJob, ...]:

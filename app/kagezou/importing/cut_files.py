@@ -17,6 +17,7 @@ from kagezou.importing.new_cut import NewCut, new_cut
 from kagezou.importing.progress import Progress, no_progress
 from kagezou.importing.sheet_project import TIMESHEET_SUFFIXES, sources_beside
 from kagezou.io.files.faults import shown
+from kagezou.io.files.folders import entries_to_read
 from kagezou.io.files.spellings import on_disk
 from kagezou.io.images.sequences import Sequence as FileSequence
 from kagezou.io.images.sequences import sequences_among, sequences_below
@@ -67,7 +68,7 @@ def cut_files(path: Path) -> CutFiles:
     if not path.is_dir() or oca_file(path) is not None:
         return CutFiles((CharacterSource(None, path),))
     listing = listed(path)
-    if not any(each.name[:1] != "." for each in path.iterdir()):
+    if not any(each.name[:1] != "." for each in entries_to_read(path)):
         raise InputProblem(Message("{path}: the folder of this cut is empty", path=shown(path)))
     sheets = listing.sheets or tuple(_sheets_beside(path))
     if sheets:

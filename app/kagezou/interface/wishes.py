@@ -68,18 +68,22 @@ class Frames:
 
 @dataclass(frozen=True, slots=True)
 class Video:
-    """A video: the finished picture, or with ``layer`` that layer's shadow alone; ``.mp4``, or ``.mov`` with alpha."""
+    """A video: the finished picture, or with ``layer`` that layer's shadow alone; ``.mp4``, or ``.mov`` with alpha.
+
+    ``missing`` as of `Frames`.
+    """
 
     path: AnyPath
     frames: FrameChoice = None
     layer: str | None = None
+    missing: str = "fail"
 
 
 @dataclass(frozen=True, slots=True)
 class AfterEffects:
     """A folder of footage and a script that builds the composition, as ``kagezou export-ae`` writes it.
 
-    ``name`` is that of composition and script; None for that of the project.
+    ``name`` is that of composition and script; None for that of the project. ``missing`` as of `Frames`.
     """
 
     folder: AnyPath
@@ -91,16 +95,21 @@ class AfterEffects:
     format: str = "png"
     depth: int = 8
     skip_existing: bool = False
+    missing: str = "fail"
 
 
 @dataclass(frozen=True, slots=True)
 class SceneFor:
-    """All layers and a scene that lays them, for a program as ``kagezou export-scene --for`` names it."""
+    """All layers and a scene that lays them, for a program as ``kagezou export-scene --for`` names it.
+
+    ``missing`` as of `Frames`.
+    """
 
     folder: AnyPath
     program: str
     name: str | None = None
     depth: int = 8
+    missing: str = "fail"
 
 
 ExportWish: TypeAlias = Frames | Video | AfterEffects | SceneFor
@@ -159,7 +168,7 @@ def _missing(word: str) -> Missing:
 
 
 def _video(wish: Video, path: Path) -> VideoRequest:
-    return VideoRequest(path, frames_of(wish.frames), wish.layer, processors())
+    return VideoRequest(path, frames_of(wish.frames), wish.layer, processors(), _missing(wish.missing))
 
 
 def _hand_off(wish: AfterEffects, name: str) -> HandOffRequest:
@@ -174,6 +183,7 @@ def _hand_off(wish: AfterEffects, name: str) -> HandOffRequest:
         depth=wish.depth,
         skip_existing=wish.skip_existing,
         workers=processors(),
+        missing=_missing(wish.missing),
     )
 
 
@@ -184,4 +194,5 @@ def _scene(wish: SceneFor, document: Document, place: Place) -> tuple[AnyExporte
         raise UsageProblem(
             Message("there are no scenes for {program!r}, only for {known}", program=wish.program, known=known)
         )
-    return exporter, exporter.request(document, ExportChoices(exporter.key, depth=wish.depth), place), place
+    choices = ExportChoices(exporter.key, depth=wish.depth, missing=_missing(wish.missing).value)
+    return exporter, exporter.request(document, choices, place), place

@@ -134,10 +134,11 @@ def catch_of(
     seen = found & ~covered
     lit = seen & ~_is_behind(bodies, hits, light)
     dark = lit & _falls_on(caster, camera, light, hits)
-    least = _LEAST_PART * found.sum()
+    found_count, lit_count = int(found.sum()), int(lit.sum())
+    least = _LEAST_PART * found_count
     return Catch(
-        shown=float(seen.sum() / max(found.sum(), 1)),
-        part=float(dark.sum() / max(lit.sum(), 1)),
+        shown=int(seen.sum()) / max(found_count, 1),
+        part=int(dark.sum()) / max(lit_count, 1),
         area_px=float(dark.sum()) * step * step,
         parts=int((part_areas(dark.reshape(x.shape), diagonal=False) > least).sum()),
     )

@@ -237,7 +237,8 @@ def chromaticities(numbers: tuple[float, ...]) -> Any:
 @pytest.mark.parametrize(("given", "alpha"), [(AP1, False), (P3, False), (ADOBE, False), (AP1, True)])
 def test_one_picture_in_two_spaces_looks_the_same(tmp_path: Path, given: tuple[float, ...], alpha: bool) -> None:  # noqa: FBT001
     light = np.random.default_rng(4).uniform(0.05, 0.9, (9, 8, 3))
-    change = np.linalg.inv(xyz_of(given)) @ xyz_of(REC709)  # type: ignore[arg-type]
+    xyz_of_given: Any = xyz_of(given)  # type: ignore[arg-type]
+    change = np.linalg.inv(xyz_of_given) @ xyz_of(REC709)
     cover = np.full((9, 8, 1), 0.5) if alpha else np.ones((9, 8, 0))
     scale = 0.5 if alpha else 1.0
     plain = save_exr(tmp_path / "a.exr", np.concatenate([light * scale, cover], axis=-1))

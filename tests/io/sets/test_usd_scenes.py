@@ -221,3 +221,17 @@ def test_skins_are_posed_as_on_the_first_frame(tmp_path: Path) -> None:
 def test_a_mirrored_camera_is_said(tmp_path: Path) -> None:
     body = 'def Camera "c" {\nfloat3 xformOp:scale = (-1, 1, 1)\nuniform token[] xformOpOrder = ["xformOp:scale"]\n}\n'
     assert said(read(tmp_path, mesh("m") + body)) == ["its cameras c are mirrored, which is not done"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'def Mesh "m" {\nfloat points = 3\nint[] faceVertexCounts = [3]\nint[] faceVertexIndices = [0, 1, 2]\n}\n',
+        'def Mesh "m" {\npoint3f[] points = [(0,0,0)]\nstring faceVertexCounts = "3"\n}\n',
+        'def Sphere "s" {\nstring radius = "wide"\n}\n',
+        'def Cylinder "c" {\ntoken axis = "W"\n}\n',
+    ],
+)
+def test_attributes_of_any_type_are_one_sentence(tmp_path: Path, body: str) -> None:
+    with pytest.raises(InputProblem, match="the file is damaged"):
+        read(tmp_path, body)

@@ -202,7 +202,7 @@ def test_hidden_isolated_and_normalised_curves(editor: CurveEditor, keyed: OpenP
     editor.normalise.trigger()
     QApplication.processEvents()
     values = picture_of(editor, LIGHT).line.values
-    assert (values.min(), values.max()) == (-1, 1)
+    assert (float(values.min()), float(values.max())) == (-1, 1)
     drag(editor, point(editor, 15, 1.0), point(editor, 15, 0.5))
     assert value_of(keyed.bridge.document, LIGHT, 15)[0] == pytest.approx(75, abs=4)  # type: ignore[index]
 

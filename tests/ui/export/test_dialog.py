@@ -180,6 +180,20 @@ def test_a_video_shows_the_picture_or_a_shadow(dialog: ExportDialog) -> None:
     assert dialog.choices.format == "mov"
 
 
+def test_what_stands_in_for_missing_drawings_is_asked_whatever_is_made(dialog: ExportDialog) -> None:
+    box = dialog.options.missing_box
+    assert data_of(box) == ["fail", "empty", "hold"]
+    for row in range(dialog.targets.count()):
+        item = dialog.targets.item(row)
+        assert item is not None
+        choose(dialog, item.text())
+        assert box.isVisible(), item.text()
+    pick(box, "hold")
+    assert dialog.choices.missing == "hold"
+    choose(dialog, "Shadow layers")
+    assert box.currentText() == "Hold the nearest drawing"
+
+
 def test_what_cannot_be_chosen_says_why(qtbot: QtBot, filled: OpenProject, place: Place) -> None:
     made = ExportDialog(filled.bridge.document, ExportChoices(only_work_area=True), place, place.folder)
     qtbot.addWidget(made)

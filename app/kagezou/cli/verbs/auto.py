@@ -9,6 +9,7 @@ from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.openjd_lines import JobLines
+from kagezou.cli.standing_in import add_missing, missing_of
 from kagezou.cli.terminal import give_json, note, tell
 from kagezou.errors import OutputProblem, UsageProblem
 from kagezou.io.files.processors import processors
@@ -56,6 +57,7 @@ def add_arguments(parser: Parser) -> None:
         metavar="N",
         help="a cut in which nothing moves for so long has failed (10)",
     )
+    add_missing(parser)
     parser.add_argument("--language", choices=("en", "ja"), help="of the report (the system's)")
     add_after(parser)
     parser.add_argument("--json", action="store_true", help="print one object about all cuts")
@@ -136,6 +138,7 @@ def _orders(options: Namespace) -> "Orders":
         renew=options.renew,
         workers=options.workers or processors(),
         after=options.after,
+        missing=missing_of(options),
     )
 
 

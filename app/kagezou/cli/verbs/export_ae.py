@@ -9,6 +9,7 @@ from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.reporting import verdict
+from kagezou.cli.standing_in import add_missing, missing_of
 from kagezou.cli.terminal import give, give_json, note
 from kagezou.errors import UsageProblem
 from kagezou.io.files.processors import processors
@@ -48,6 +49,7 @@ def add_arguments(parser: Parser) -> None:
         "--skip-existing", action="store_true", help="leave whole frames alone that would come out the same"
     )
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    add_missing(parser)
     add_after(parser)
     parser.add_argument("--panel", action="store_true", help="print where the panel for After Effects lies")
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
@@ -80,6 +82,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         depth=options.depth,
         skip_existing=options.skip_existing,
         workers=options.workers or processors(),
+        missing=missing_of(options),
     )
     document = load(options.project)
     with stopping_gently() as interruption:

@@ -8,6 +8,7 @@ from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
+from kagezou.cli.standing_in import add_missing
 from kagezou.cli.terminal import give, give_json, note, tell
 from kagezou.io.files.processors import processors
 
@@ -35,6 +36,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--depth", type=int, choices=(8, 16), default=8, help="bits a channel of the pictures (8)")
     parser.add_argument("--work-area", action="store_true", help="only the frames of the work area")
     parser.add_argument("--workers", type=whole_number, metavar="N", help="threads that read and write files")
+    add_missing(parser)
     add_after(parser)
     parser.add_argument("--json", action="store_true", help="print one object about what was done")
 
@@ -53,7 +55,9 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     exporter = next(each for each in SCENES if each.program == options.program)
     document = load(options.project)
     place = Place(options.output, options.project, options.name or options.project.stem)
-    choices = ExportChoices(exporter.key, depth=options.depth, only_work_area=options.work_area)
+    choices = ExportChoices(
+        exporter.key, depth=options.depth, only_work_area=options.work_area, missing=options.missing
+    )
     request = replace(exporter.request(document, choices, place), workers=options.workers or processors())
     with stopping_gently() as interruption:
         with entry_points.line("rendering") as line:

@@ -2,14 +2,19 @@
 
 from argparse import Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kagezou.cli.after import add_after, hand_on_export
 from kagezou.cli.arguments import Parser, project_path, whole_number
 from kagezou.cli.entry_points import EntryPoints
 from kagezou.cli.interruption import stopping_gently
 from kagezou.cli.naming import add_naming, names_of
+from kagezou.cli.standing_in import add_missing, missing_of
 from kagezou.cli.terminal import give, note
 from kagezou.message import Message
+
+if TYPE_CHECKING:
+    from kagezou.export.request import ExportRequest
 
 DESCRIPTION = """\
 Write an Open Job Description job bundle into a folder of its own: template.json, parameter_values.json,
@@ -43,6 +48,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument("--receivers", action="store_true", help="also mattes of the ground and every set piece")
     parser.add_argument("--layered", action="store_true", help="each frame one psd or exr with all layers instead")
     add_naming(parser)
+    add_missing(parser)
     parser.add_argument(
         "--frame-minutes",
         type=whole_number,
@@ -60,13 +66,11 @@ def add_arguments(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Write the bundle."""
-    from kagezou.animation.frames import parse_frames
     from kagezou.export.after.hooks import check_command
     from kagezou.export.after.manifest import Handover
     from kagezou.export.exporters.farm_job import FARM_JOB, BundleRequest
     from kagezou.export.farm import TEMPLATE, FarmRequest
     from kagezou.export.farm_program import USUAL, program_here
-    from kagezou.export.request import DEPTHS, ExportRequest
     from kagezou.io.files.faults import shown
     from kagezou.io.project.file import load
 
@@ -77,9 +81,25 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     program = options.program or program_here()
     if options.program is None and program != USUAL:
         note(Message("the workers call {program}; --program says otherwise", program=program))
+    document = load(project)
+    job = FarmRequest(project, _export(options, output.absolute()), options.chunk, program, options.frame_minutes)
+    request = BundleRequest(job, bundle)
+    made = FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
+    give(shown(bundle / TEMPLATE))
+    over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
+    with stopping_gently() as interruption:
+        is_over = hand_on_export(over, options.after, interruption.is_set)
+    return 0 if is_over else interruption.exit_code
+
+
+def _export(options: Namespace, output: Path) -> "ExportRequest":
+    """Return what the job makes."""
+    from kagezou.animation.frames import parse_frames
+    from kagezou.export.request import DEPTHS, ExportRequest
+
     form = options.format or ("psd" if options.layered else "png")
-    export = ExportRequest(
-        folder=output.absolute(),
+    return ExportRequest(
+        folder=output,
         frames=None if options.frames is None else parse_frames(options.frames),
         layers=None if options.layer is None else tuple(options.layer),
         format=form,
@@ -89,13 +109,5 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         united=options.united,
         layered=options.layered,
         names=names_of(options),
+        missing=missing_of(options),
     )
-    document = load(project)
-    job = FarmRequest(project, export, options.chunk, program, options.frame_minutes)
-    request = BundleRequest(job, bundle)
-    made = FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
-    give(shown(bundle / TEMPLATE))
-    over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
-    with stopping_gently() as interruption:
-        is_over = hand_on_export(over, options.after, interruption.is_set)
-    return 0 if is_over else interruption.exit_code

@@ -13,6 +13,7 @@ from kagezou.cli.interruption import Interruption, stopping_gently
 from kagezou.cli.naming import add_naming, names_of
 from kagezou.cli.openjd_lines import JobLines
 from kagezou.cli.reporting import report, verdict
+from kagezou.cli.standing_in import add_missing, missing_of
 from kagezou.cli.terminal import ProgressLine, note
 from kagezou.errors import UsageProblem
 from kagezou.io.files.processors import processors
@@ -87,13 +88,7 @@ def _add_running(parser: Parser) -> None:
     parser.add_argument(
         "--keep-going", action="store_true", help="make the other frames when a drawing cannot be read; exit code 8"
     )
-    parser.add_argument(
-        "--missing",
-        choices=("fail", "empty", "hold"),
-        default="fail",
-        help="where a drawing is not there: make nothing (fail), the frame without it, or with the drawing before it "
-        "(else after it); said on stderr",
-    )
+    add_missing(parser)
     parser.add_argument(
         "--watch",
         action="store_true",
@@ -244,7 +239,7 @@ def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
 
 def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
     from kagezou.animation.frames import parse_frames
-    from kagezou.export.request import ExportRequest, Missing
+    from kagezou.export.request import ExportRequest
 
     return ExportRequest(
         folder=options.output,
@@ -261,5 +256,5 @@ def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
         workers=options.workers or processors(),
         keep_going=options.keep_going,
         names=names_of(options),
-        missing=Missing(options.missing),
+        missing=missing_of(options),
     )

@@ -18,6 +18,8 @@ from kagezou.export.names import digits_for
 from kagezou.geometry.box import centred_offset
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import input_problem
+from kagezou.io.files.folders import entries_to_read, entries_to_write
+from kagezou.io.files.small_files import remove_file
 from kagezou.io.images.reading import ImageInfo, probe, read_cel
 from kagezou.io.images.writing import write_rgba
 from kagezou.io.pixels.signatures import is_psd
@@ -168,14 +170,14 @@ def copied_still(cels: Cels, target: Path, copying: Copying, step: Step) -> CelF
 
 def remove_beyond(name: NumberedName, count: int) -> None:
     """Remove files of an earlier, longer hand-off: After Effects takes every number that follows on."""
-    for path in name.folder.iterdir():
+    for path in entries_to_write(name.folder):
         found = re.fullmatch(re.escape(name.before) + r"([0-9]+)\.[a-z]+", path.name)
         if found and len(found[1]) == name.digits and int(found[1]) > count:
-            path.unlink()
+            remove_file(path)
 
 
 def _numbers_in(folder: Path, prefix: str, suffix: str, digits: int) -> set[int]:
-    found = (_NUMBERED.fullmatch(path.name) for path in folder.iterdir())
+    found = (_NUMBERED.fullmatch(path.name) for path in entries_to_read(folder))
     return {int(each[2]) for each in found if each and (each[1], each[3], len(each[2])) == (prefix, suffix, digits)}
 
 

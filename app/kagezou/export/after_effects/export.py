@@ -28,8 +28,9 @@ from kagezou.export.made_files import DRAWING, MATTE, MadeFile, numbered_from
 from kagezou.export.made_files import SCRIPT as SCRIPT_FILE
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
-from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
+from kagezou.export.request import Cancelled, ExportRequest, Missing, Progress, Summary
 from kagezou.export.sequences import sequences_of
+from kagezou.export.stand_ins import filled_throughout
 from kagezou.export.uniting import cut_groups
 from kagezou.io.files.atomic import write_bytes
 from kagezou.message import Message
@@ -59,7 +60,7 @@ class HandOffRequest:
         Keys of `MATTES`.
     controls
         Whether the composition has a null whose sliders drive all shadows.
-    format, depth, skip_existing, workers
+    format, depth, skip_existing, workers, missing
         As of `ExportRequest`.
     """
 
@@ -73,6 +74,7 @@ class HandOffRequest:
     depth: int = 8
     skip_existing: bool = False
     workers: int = 2
+    missing: Missing = Missing.FAIL
 
     def __post_init__(self) -> None:
         for matte in self.mattes:
@@ -132,7 +134,8 @@ def export_to_after_effects(
     """
     started = time.monotonic()
     _check(document)
-    run = _ScriptRun(document, replace(request, folder=request.folder.absolute()), progress, cancelled)
+    filled = filled_throughout(document, request.missing)
+    run = _ScriptRun(filled.document, replace(request, folder=request.folder.absolute()), progress, cancelled)
     summaries = tuple(run.export(each, open_context) for each in run.renderings)
     script: Path | None = None
     notes: tuple[Message, ...] = ()
@@ -140,7 +143,7 @@ def export_to_after_effects(
         with suppress(Stopped):
             script, notes = run.finish()
     counts, made = run.counts(summaries, script), run.made(summaries, script)
-    return HandedOff(script, summaries, notes, time.monotonic() - started, counts, made)
+    return HandedOff(script, summaries, (*filled.notes, *notes), time.monotonic() - started, counts, made)
 
 
 def _check(document: Document) -> None:

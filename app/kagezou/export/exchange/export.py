@@ -20,8 +20,9 @@ from kagezou.export.made_files import SCENE as SCENE_FILE
 from kagezou.export.made_files import MadeFile
 from kagezou.export.painters import Painters, are_worth_two
 from kagezou.export.pipeline import PipelineSteps, flow, window_for
-from kagezou.export.planning import Plan, planned
-from kagezou.export.request import Cancelled, ExportRequest, Progress
+from kagezou.export.planning import Plan
+from kagezou.export.request import Cancelled, ExportRequest, Missing, Progress
+from kagezou.export.stand_ins import planned_without_missing
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.images.cel_cache import CelCache
 from kagezou.message import Message
@@ -50,6 +51,8 @@ class SceneRequest:
         Bits a channel of the pictures, 8 or 16.
     workers
         Threads that read and pack.
+    missing
+        What stands in for a drawing that is not there.
     """
 
     folder: Path
@@ -59,12 +62,19 @@ class SceneRequest:
     frames: tuple[int, ...] | None = None
     depth: int = 8
     workers: int = 2
+    missing: Missing = Missing.FAIL
 
     @property
     def frames_wanted(self) -> ExportRequest:
         """The frames of layers that its pictures come from; nothing is written by it."""
         return ExportRequest(
-            self.folder, frames=self.frames, format="psd", depth=self.depth, workers=self.workers, layered=True
+            self.folder,
+            frames=self.frames,
+            format="psd",
+            depth=self.depth,
+            workers=self.workers,
+            layered=True,
+            missing=self.missing,
         )
 
 
@@ -104,7 +114,7 @@ def export_scene(
     UsageProblem
         There is nothing to make, or the canvas is too large.
     InputProblem
-        A drawing is missing or cannot be read.
+        A drawing is missing and nothing stands in for it, or cannot be read.
     DiskFullProblem, OutputProblem
         A place refuses.
     GraphicsProblem
@@ -114,7 +124,7 @@ def export_scene(
     canvas = document.canvas
     if max(canvas.width_px, canvas.height_px) > MAX_SIDE_PX:
         raise UsageProblem(Message("a scene has at most {most} px a side, the canvas has more", most=MAX_SIDE_PX))
-    plan = planned(document, request.frames_wanted)
+    plan = planned_without_missing(document, request.frames_wanted)
     check_sources(plan.jobs)
     run = _SceneRun(document, request, plan, progress, cancelled, _gathering(document, request, plan))
     scene: Path | None = None

@@ -14,7 +14,9 @@ from kagezou.export.exchange.stack import Stack, StackLayer
 from kagezou.export.made_files import PICTURE, MadeFile
 from kagezou.export.names import digits_for, safe_names
 from kagezou.io.files.atomic import write_bytes
-from kagezou.io.files.faults import output_problem
+from kagezou.io.files.faults import input_problem, output_problem
+from kagezou.io.files.folders import entries_to_write
+from kagezou.io.files.small_files import remove_file
 from kagezou.io.images.writing import encode_rgba_png
 from kagezou.message import Message
 
@@ -145,7 +147,7 @@ class Gathered:
                 if (who, number) in self._paths:
                     continue
                 shown = self._shown.get((who, frame))
-                data = self._paths[who, shown.picture].read_bytes() if shown and shown.picture is not None else clear
+                data = _bytes_of(self._paths[who, shown.picture]) if shown and shown.picture is not None else clear
                 path = self._path(who, number)
                 _make(path.parent)
                 write_bytes(path, data)
@@ -163,10 +165,10 @@ class Gathered:
         there = set(self._paths.values())
         for label in self._labels.values():
             folder = self.folder / self.pictures / label
-            for path in folder.iterdir() if folder.is_dir() else ():
-                is_numbered = re.fullmatch(re.escape(label) + r"[_.][0-9]+\.png", path.name)
-                if is_numbered and path not in there:
-                    path.unlink()
+            numbered = re.compile(re.escape(label) + r"[_.][0-9]+\.png")
+            for path in entries_to_write(folder):
+                if numbered.fullmatch(path.name) and path not in there:
+                    remove_file(path)
 
     def stack(self) -> tuple[Stack, tuple[Message, ...]]:
         """Return the layers that are ever seen, and what is to be said about them."""
@@ -244,3 +246,11 @@ def _make(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise output_problem(folder, error) from error
+
+
+def _bytes_of(path: Path) -> bytes:
+    """Return a picture that was written before; InputProblem where the system refuses."""
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise input_problem(path, error) from error

@@ -26,6 +26,7 @@ class Option(StrEnum):
     UNITED = "united"
     ONLY_WORK_AREA = "only_work_area"
     SKIP_EXISTING = "skip_existing"
+    MISSING = "missing"
     IN_ONE = "in_one"
     PER_DRAWING = "per_drawing"
     COPIES = "copies"

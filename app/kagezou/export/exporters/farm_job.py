@@ -112,6 +112,7 @@ FARM_JOB: Final = FarmJob(
             Option.ONLY_WORK_AREA,
             Option.CHUNK,
             Option.NAMES,
+            Option.MISSING,
         )
     ),
 )

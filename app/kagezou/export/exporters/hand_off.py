@@ -13,7 +13,7 @@ from kagezou.export.exporters.numbered_frames import workers
 from kagezou.export.made_files import MadeFile
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
-from kagezou.export.request import Cancelled, ExportRequest, Progress
+from kagezou.export.request import Cancelled, ExportRequest, Missing, Progress
 from kagezou.export.sequences import sequences_of
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
@@ -52,6 +52,7 @@ class HandOffExporter(Exporter[HandOffRequest, HandedOff]):
             depth=choices.depth if choices.format == "png" else 8,
             skip_existing=choices.skip_existing,
             workers=workers(),
+            missing=Missing(choices.missing),
         )
 
     def export(
@@ -137,6 +138,14 @@ HAND_OFF: Final = HandOffExporter(
     icon="target-script",
     verb="export-ae",
     options=frozenset(
-        (Option.DEPTH, Option.PER_DRAWING, Option.COPIES, Option.MATTES, Option.CONTROLS, Option.SKIP_EXISTING)
+        (
+            Option.DEPTH,
+            Option.PER_DRAWING,
+            Option.COPIES,
+            Option.MATTES,
+            Option.CONTROLS,
+            Option.SKIP_EXISTING,
+            Option.MISSING,
+        )
     ),
 )

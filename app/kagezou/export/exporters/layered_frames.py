@@ -68,5 +68,5 @@ LAYERED_FRAMES: Final = LayeredFrames(
     purpose=Message("one PSD or EXR a frame with all layers, to paint on"),
     icon="target-layered",
     verb="render",
-    options=frozenset((Option.DEPTH, Option.ONLY_WORK_AREA, Option.NAMES, Option.SKIP_EXISTING)),
+    options=frozenset((Option.DEPTH, Option.ONLY_WORK_AREA, Option.NAMES, Option.SKIP_EXISTING, Option.MISSING)),
 )

@@ -9,7 +9,7 @@ from kagezou.export.exporters.exporter import Exporter, ExportOutcome
 from kagezou.export.file_names import FileNames
 from kagezou.export.frames import export_frames
 from kagezou.export.made_files import MadeFile
-from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
+from kagezou.export.request import Cancelled, ExportRequest, Missing, Progress, Summary
 from kagezou.export.selection import chosen_frames
 from kagezou.export.sequences import sequences_of
 from kagezou.render.gpu.context import OpenContext
@@ -72,6 +72,7 @@ def frames_request(document: Document, choices: ExportChoices, folder: Path, *, 
         workers=workers(),
         layered=is_layered,
         names=FileNames(choices.names, None if choices.start == AS_CUT else choices.start),
+        missing=Missing(choices.missing),
     )
 
 

@@ -15,7 +15,7 @@ from kagezou.export.exporters.numbered_frames import frames_chosen, workers
 from kagezou.export.made_files import MadeFile
 from kagezou.export.names import safe_names
 from kagezou.export.planning import planned
-from kagezou.export.request import Cancelled, Progress
+from kagezou.export.request import Cancelled, Missing, Progress
 from kagezou.message import Message
 from kagezou.render.gpu.context import OpenContext
 
@@ -67,6 +67,7 @@ class SceneFile(Exporter[SceneRequest, SceneMade]):
             frames=frames_chosen(document, choices),
             depth=choices.depth,
             workers=workers(),
+            missing=Missing(choices.missing),
         )
 
     def export(
@@ -108,5 +109,5 @@ class SceneFile(Exporter[SceneRequest, SceneMade]):
         return f"{safe_names([name])[name]}{self.target.suffix}"
 
 
-SCENE_OPTIONS: Final = frozenset((Option.DEPTH, Option.ONLY_WORK_AREA))
+SCENE_OPTIONS: Final = frozenset((Option.DEPTH, Option.ONLY_WORK_AREA, Option.MISSING))
 """What any scene lets one choose."""

@@ -53,6 +53,7 @@ SHADOW_LAYERS: Final = ShadowLayers(
             Option.ONLY_WORK_AREA,
             Option.NAMES,
             Option.SKIP_EXISTING,
+            Option.MISSING,
         )
     ),
 )

@@ -17,7 +17,7 @@ from kagezou.export.exporters.opentoonz_scene import OPENTOONZ_SCENE
 from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 from kagezou.export.exporters.video_file import VIDEO_FILE
 from kagezou.export.file_names import MAX_FIRST
-from kagezou.export.request import DEPTHS
+from kagezou.export.request import DEPTHS, Missing
 
 AnyExporter = Exporter[Any, Any]
 """An exporter whose requests and results are its own matter."""
@@ -52,11 +52,12 @@ def depths_of(form: str) -> tuple[int, ...]:
 
 
 def sound(choices: ExportChoices) -> ExportChoices:
-    """Return the choices with an exporter that there is, a format of its, and a depth that the format has."""
+    """Return the choices with an exporter that there is, a format of its, a depth of that, and words that are known."""
     kind = choices.kind if choices.kind in _BY_KEY else EXPORTERS[0].key
     choices = replace(choices, kind=kind)
     formats = exporter_of(choices).formats(choices)
     form = choices.format if choices.format in formats else formats[0]
     depth = choices.depth if choices.depth in depths_of(form) else depths_of(form)[0]
     chunk, start = min(max(choices.chunk, 1), MAX_CHUNK), min(max(choices.start, AS_CUT), MAX_FIRST)
-    return replace(choices, format=form, depth=depth, chunk=chunk, start=start)
+    missing = choices.missing if choices.missing in list(Missing) else Missing.FAIL.value
+    return replace(choices, format=form, depth=depth, chunk=chunk, start=start, missing=missing)

@@ -11,7 +11,7 @@ from kagezou.export.file_kinds import VIDEO, FileCount
 from kagezou.export.made_files import VIDEO as VIDEO_WORD
 from kagezou.export.made_files import MadeFile
 from kagezou.export.names import safe_names
-from kagezou.export.request import Cancelled, Progress
+from kagezou.export.request import Cancelled, Missing, Progress
 from kagezou.export.video import VideoRequest, VideoSummary, export_video, video_jobs
 from kagezou.extras import VIDEO as VIDEO_PART
 from kagezou.io.files.faults import output_problem
@@ -51,7 +51,8 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
         """Return what the video is asked for with; it is called as the project, and as the layer it shows."""
         wanted = f"{place.name}_{choices.video_layer}_shadow" if choices.video_layer else place.name
         path = place.folder / f"{safe_names([wanted])[wanted]}.{choices.format}"
-        return VideoRequest(path, frames_chosen(document, choices), choices.video_layer or None, workers())
+        frames, layer = frames_chosen(document, choices), choices.video_layer or None
+        return VideoRequest(path, frames, layer, workers(), Missing(choices.missing))
 
     def export(
         self,
@@ -69,7 +70,7 @@ class VideoFile(Exporter[VideoRequest, VideoSummary]):
         there = int(made.is_whole)
         counts = (FileCount(VIDEO, there, 1),)
         where = made.path if made.is_whole else made.path.parent
-        return ExportOutcome(counts, there, cancelled=not made.is_whole, problem=None, where=where)
+        return ExportOutcome(counts, there, cancelled=not made.is_whole, problem=None, where=where, notes=made.notes)
 
     def made_files(self, made: VideoSummary) -> tuple[MadeFile, ...]:
         """Return the files that are there, one by one."""
@@ -107,5 +108,5 @@ VIDEO_FILE: Final = VideoFile(
     purpose=Message("a file to look at, or one with alpha"),
     icon="target-video",
     verb="video",
-    options=frozenset((Option.VIDEO_LAYER, Option.ONLY_WORK_AREA)),
+    options=frozenset((Option.VIDEO_LAYER, Option.ONLY_WORK_AREA, Option.MISSING)),
 )

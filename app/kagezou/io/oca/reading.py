@@ -28,12 +28,19 @@ _PICTURES: Final = ("paintlayer", "")
 
 
 def oca_file(path: Path) -> Path | None:
-    """Return the file of a document: ``path`` itself, or the one in a folder ``NAME.oca``; None where it is none."""
+    """Return the file of a document: ``path`` itself, or the one in a folder ``NAME.oca``; None where it is none.
+
+    A folder that the system does not open is none: whoever takes it for one of drawings says why it cannot be read.
+    """
     if path.suffix.lower() != SUFFIX:
         return None
     if not path.is_dir():
         return path
-    inside = sorted(each for each in path.iterdir() if each.suffix.lower() in (SUFFIX, ".json") and each.is_file())
+    try:
+        there = sorted(path.iterdir())
+    except OSError:
+        return None
+    inside = [each for each in there if each.suffix.lower() in (SUFFIX, ".json") and each.is_file()]
     alike = [each for each in inside if each.stem == path.stem]
     documents = [each for each in inside if each.suffix.lower() == SUFFIX]
     return next(iter((*alike, *documents, *inside)), None)

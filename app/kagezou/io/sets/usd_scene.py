@@ -22,7 +22,7 @@ from kagezou.io.sets.usd_notes import (
 )
 from kagezou.io.sets.usd_skins import posed_by_skeletons
 from kagezou.io.sets.usd_solids import solid_of
-from kagezou.io.sets.usd_stage import OpenStage, pxr
+from kagezou.io.sets.usd_stage import OpenStage, numbers_of, pxr
 from kagezou.message import Message
 
 _MAX_NESTED: Final = 16
@@ -120,7 +120,10 @@ class _Walk:
             return None
         if pxr("UsdGeom").Mesh(prim):
             return self._mesh(prim)
-        solid = solid_of(str(prim.GetTypeName()), lambda name: prim.GetAttribute(name).Get(self.opened.time))
+        try:
+            solid = solid_of(str(prim.GetTypeName()), lambda name: prim.GetAttribute(name).Get(self.opened.time))
+        except (TypeError, ValueError, KeyError) as error:  # a measure that is no number, an axis that there is none of
+            raise input_problem(self.opened.path, Message("it cannot be read as USD: the file is damaged")) from error
         if solid is None:
             self.left_out[str(prim.GetTypeName()) or "?"] += 1
         return solid
@@ -130,7 +133,7 @@ class _Walk:
         attributes = mesh.GetPointsAttr(), mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()
         if any(each.ValueMightBeTimeVarying() for each in attributes):
             self.left_out[SEEN_ANIMATED] += 1
-        points, counts, corners = (np.asarray(each.Get(time) or ()) for each in attributes)
+        points, counts, corners = (numbers_of(self.opened.path, each, time) for each in attributes)
         if not len(counts) or not len(points):
             return None
         if counts.min() < 0 or counts.sum() != len(corners) or corners.min(initial=0) < 0:
@@ -139,7 +142,7 @@ class _Walk:
             raise input_problem(self.opened.path, Message("it is damaged: a triangle names a missing corner"))
         if int(np.maximum(counts.astype(np.int64) - 2, 0).sum()) > self.most - self.total:
             self.count(int(np.maximum(counts.astype(np.int64) - 2, 0).sum()))
-        holes = np.asarray(mesh.GetHoleIndicesAttr().Get(time) or (), np.int64)
+        holes = numbers_of(self.opened.path, mesh.GetHoleIndicesAttr(), time).astype(np.int64)
         is_face = np.ones(len(counts), bool)
         is_face[holes[(holes >= 0) & (holes < len(counts))]] = False
         corners = corners[np.repeat(is_face, counts)].astype(np.int64)
@@ -149,7 +152,7 @@ class _Walk:
         """Return what a point instancer puts: each prototype as often as it says, none of them by itself."""
         instancer, time = pxr("UsdGeom").PointInstancer(prim), self.opened.time
         purpose = str(pxr("UsdGeom").Imageable(prim).ComputePurpose())
-        kinds = np.asarray(instancer.GetProtoIndicesAttr().Get(time) or (), np.int64)
+        kinds = numbers_of(self.opened.path, instancer.GetProtoIndicesAttr(), time).astype(np.int64)
         targets = instancer.GetPrototypesRel().GetForwardedTargets()
         if purpose in (GUIDE, PROXY) or not len(kinds) or not targets:
             self.left_out[purpose if purpose in (GUIDE, PROXY) else EMPTY_INSTANCER] += 1

@@ -5,6 +5,9 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Final
 
+import numpy as np
+from numpy.typing import NDArray
+
 from kagezou.io.files.faults import input_problem
 from kagezou.io.sets.bounded_bytes import check_inside, state_of
 from kagezou.io.sets.triangles import listed
@@ -43,6 +46,17 @@ def open_stage(path: Path) -> OpenStage:
     time = codes(stage.GetStartTimeCode()) if stage.HasAuthoredTimeCodeRange() else codes.EarliestTime()
     notes = (Message("it refers to {names}, which cannot be read", names=listed(missing)),) if missing else ()
     return OpenStage(path, stage, time, notes)
+
+
+def numbers_of(path: Path, attribute: Any, time: Any) -> NDArray[Any]:
+    """Return a list of numbers or of points that an attribute holds, (N,) or (N, 3); InputProblem for anything else.
+
+    Whoever writes a file may give any attribute any type.
+    """
+    found = np.asarray(attribute.Get(time) or ())
+    if found.ndim not in (1, 2) or found.dtype.kind not in "iuf" or found.shape[1:] not in ((), (3,)):
+        raise input_problem(path, Message("it cannot be read as USD: the file is damaged"))
+    return found
 
 
 def _missing_layers(path: Path) -> list[str]:

@@ -9,6 +9,7 @@ from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices
 from kagezou.export.exporters.exporter import Option
 from kagezou.export.exporters.table import MAX_CHUNK, depths_of, exporter_of
+from kagezou.export.request import Missing
 from kagezou.ui.export.naming_row import NamingRows
 
 GAP_PX = 8
@@ -32,6 +33,7 @@ _ROWS: Final = {
     Option.CHUNK: 6,
     Option.NAMES: 7,
     Option.CONTROLS: 9,
+    Option.MISSING: 10,
 }
 """The place of each, which nothing that is offered with it has; the mattes go on in the rows below theirs."""
 
@@ -52,9 +54,11 @@ class ExportOptions(QWidget):
         super().__init__()
         self._document = document
         self.format_box, self.depth_box, self.video_box = QComboBox(), QComboBox(), QComboBox()
+        self.missing_box = QComboBox()
         self.format_box.setAccessibleName(self.tr("Format"))
         self.depth_box.setAccessibleName(self.tr("Depth"))
         self.video_box.setAccessibleName(self.tr("Picture"))
+        self.missing_box.setAccessibleName(self.tr("Missing drawings"))
         self.chunk, self.naming = QSpinBox(), NamingRows(document.canvas.first_frame)
         self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
@@ -79,6 +83,7 @@ class ExportOptions(QWidget):
         only = self.tr("%1 has no other depth.").replace("%1", choices.format.upper())
         _allow(self.depth_box, "" if len(depths) > 1 else only)
         _fill(self.video_box, self._pictures(), choices.video_layer)
+        _fill(self.missing_box, self._ways_without(), choices.missing)
         apart = self.tr("One file with all layers has it already.") if exporter.is_layered(choices) else ""
         for option in (Option.UNITED, Option.COMPOSITE, Option.RECEIVERS):
             _allow(self._ticks[option], apart)
@@ -92,20 +97,20 @@ class ExportOptions(QWidget):
         self.naming.show_choices(choices)
 
     def _lay_out(self) -> None:
-        self.format_box.activated.connect(lambda: self.changed.emit({"format": self.format_box.currentData()}))
-        self.depth_box.activated.connect(lambda: self.changed.emit({"depth": self.depth_box.currentData()}))
-        self.video_box.activated.connect(lambda: self.changed.emit({"video_layer": self.video_box.currentData()}))
+        self._tell(self.format_box, "format")
+        self._tell(self.depth_box, "depth")
+        self._tell(self.video_box, "video_layer")
+        self._tell(self.missing_box, "missing")
         row = QHBoxLayout()
         row.setSpacing(GAP_PX)
         row.addWidget(self.format_box, 1)
         row.addWidget(self.depth_box)
         self._shown_for.append((self.depth_box, Option.DEPTH))
-        format_label, self._video_label = QLabel(self.tr("Format")), QLabel(self.tr("Picture"))
-        self._form.addWidget(format_label, 0, 0)
+        self._video_label, self._missing_label = QLabel(self.tr("Picture")), QLabel(self.tr("Missing drawings"))
+        self._form.addWidget(QLabel(self.tr("Format")), 0, 0)
         self._form.addLayout(row, 0, 1)
-        self._form.addWidget(self._video_label, _ROWS[Option.VIDEO_LAYER], 0)
-        self._form.addWidget(self.video_box, _ROWS[Option.VIDEO_LAYER], 1)
-        self._shown_for += [(each, Option.VIDEO_LAYER) for each in (self._video_label, self.video_box)]
+        self._put_labelled(self._video_label, self.video_box, Option.VIDEO_LAYER)
+        self._put_labelled(self._missing_label, self.missing_box, Option.MISSING)
         self._add(self.tr("All layers of a frame in one file"), Option.IN_ONE)
         self._add(self.tr("Shadows of a look as one besides"), Option.UNITED)
         self._add(self.tr("Composite with background and characters"), Option.COMPOSITE)
@@ -132,6 +137,9 @@ class ExportOptions(QWidget):
         self._add(trusting, Option.SKIP_EXISTING)
         self._keep_room()
 
+    def _tell(self, box: QComboBox, field: str) -> None:
+        box.activated.connect(lambda: self.changed.emit({field: box.currentData()}))
+
     def _add(self, words: str, option: Option) -> None:
         box = self._ticks[option] = QCheckBox(words)
         box.toggled.connect(lambda on: self.changed.emit({option.value: on}))
@@ -141,6 +149,11 @@ class ExportOptions(QWidget):
         self._form.addWidget(widget, _ROWS[option] + below, 0, 1, 2)
         self._shown_for.append((widget, option))
 
+    def _put_labelled(self, label: QLabel, box: QComboBox, option: Option) -> None:
+        self._form.addWidget(label, _ROWS[option], 0)
+        self._form.addWidget(box, _ROWS[option], 1)
+        self._shown_for += [(each, option) for each in (label, box)]
+
     def _keep_room(self) -> None:
         """Make every row as high as its highest widget, and the form as wide as its widest, shown or not."""
         widgets = [widget for widget, _ in self._shown_for]
@@ -148,15 +161,16 @@ class ExportOptions(QWidget):
         for each in (*widgets, self.format_box):
             each.ensurePolished()
         high = max(each.sizeHint().height() for each in (*widgets, self.format_box)) + _ROW_GAP_PX
-        for row in range(max(_ROWS[Option.MATTES] + len(self._mattes), _ROWS[Option.CONTROLS] + 1)):
+        for row in range(_ROWS[Option.MISSING] + 1):
             self._form.setRowMinimumHeight(row, high)
         self._form.setRowStretch(self._form.rowCount(), 1)
         self._form.setColumnStretch(1, 1)
-        self._form.setColumnMinimumWidth(0, self._video_label.sizeHint().width())
+        labels = max(each.sizeHint().width() for each in (self._video_label, self._missing_label))
+        self._form.setColumnMinimumWidth(0, labels)
         words = max(map(self.fontMetrics().horizontalAdvance, self._format_words().values()))
-        beside = self._video_label.sizeHint().width() + self.depth_box.sizeHint().width() + 2 * GAP_PX
+        beside = labels + self.depth_box.sizeHint().width() + 2 * GAP_PX
         self.setMinimumWidth(max(*(each.sizeHint().width() for each in widgets), words + _ARROW_PX + beside))
-        for box in (self.format_box, self.video_box):
+        for box in (self.format_box, self.video_box, self.missing_box):
             box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         policy = self.depth_box.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
@@ -170,6 +184,14 @@ class ExportOptions(QWidget):
         shadow = self.tr("Shadow of %1")
         layers = {shadow.replace("%1", layer.name): layer.name for layer in self._document.layers}
         return {self.tr("Finished picture"): ""} | layers
+
+    def _ways_without(self) -> dict[str, str]:
+        """Return what may stand in for a drawing that is not there."""
+        return {
+            self.tr("Export nothing, name them"): Missing.FAIL.value,
+            self.tr("Leave the frames empty"): Missing.EMPTY.value,
+            self.tr("Hold the nearest drawing"): Missing.HOLD.value,
+        }
 
     def _format_words(self) -> dict[str, str]:
         return {
