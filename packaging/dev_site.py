@@ -5,8 +5,6 @@ properties, from their table, and of all commands, from what each says of itself
 file. Nothing of it is written twice.
 """
 
-import importlib
-import json
 import os
 import re
 import shutil
@@ -16,18 +14,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+from dev_site_commands import commands_page
 from dev_site_project_file import in_japanese
 from dev_site_properties import properties_page
 
 ROOT: Final = Path(__file__).resolve().parents[1]
 SITE: Final = ROOT / "packaging" / "site"
 LANGUAGES: Final = {"en": "English", "ja": "日本語"}
-_TITLES: Final = {
-    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it."),
-    "ja": ("コマンド", "コマンドラインの全コマンドです。説明文は `kagezou help COMMAND` と同じ英語です。"),
-}
 _REFERENCES: Final = {"en": "References", "ja": "リファレンス"}
-_WIDTH: Final = "100"
 
 
 def write_pages(folder: Path, language: str) -> tuple[str, ...]:
@@ -51,22 +45,6 @@ def write_pages(folder: Path, language: str) -> tuple[str, ...]:
         (folder / f"{name}.md").write_text(_scripts_named(text), encoding="utf-8")
     speaking.fall_silent()
     return tuple(texts)
-
-
-def commands_page(language: str) -> Iterator[str]:
-    """Yield the lines of the reference of commands."""
-    from kagezou.cli.arguments import Parser
-    from kagezou.cli.main import VERBS
-
-    title, says = _TITLES[language]
-    words = VERBS if language == "en" else json.loads((SITE / "commands_ja.json").read_text(encoding="utf-8"))
-    yield from (f"# {title}", "", says, "")
-    os.environ["COLUMNS"] = _WIDTH
-    for verb in VERBS:
-        module = importlib.import_module(f"kagezou.cli.verbs.{verb.replace('-', '_')}")
-        parser = Parser(verb, module.DESCRIPTION, module.EXAMPLES)
-        module.add_arguments(parser)
-        yield from (f"## kagezou {verb}", "", words[verb], "", "```text", parser.format_help().rstrip(), "```", "")
 
 
 def _contents(first: str, language: str) -> Iterator[str]:

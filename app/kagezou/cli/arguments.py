@@ -35,6 +35,13 @@ class Parser(argparse.ArgumentParser):
         """Return whether there is an option."""
         return any(option in action.option_strings for action in self._actions)
 
+    def described(self) -> tuple[tuple[str, str], ...]:
+        """Return how each argument and option is typed, and what its help says."""
+        helped = ((each, each.help) for each in self._actions)
+        return tuple(
+            (_typed(action), says.replace("%%", "%")) for action, says in helped if says and says != argparse.SUPPRESS
+        )
+
     def options_of(self, words: Sequence[str]) -> argparse.Namespace:
         """Parse, and name the option that was probably meant by one there is not."""
         found, unknown = self.parse_known_args(words)
@@ -43,6 +50,12 @@ class Parser(argparse.ArgumentParser):
             wrong = next((text for text in unknown if text.startswith("-")), unknown[0])
             self.error(f"{wrong!r} is not expected here{did_you_mean(wrong.split('=')[0], options)}")
         return found
+
+
+def _typed(action: argparse.Action) -> str:
+    choices = "" if action.choices is None else f"{{{','.join(map(str, action.choices))}}}"
+    value = action.metavar if isinstance(action.metavar, str) else choices or action.dest.upper()
+    return " ".join([", ".join(action.option_strings), "" if action.nargs == 0 else value]).strip()
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:

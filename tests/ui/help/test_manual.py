@@ -37,7 +37,8 @@ def opened(window: MainWindow) -> Manual:
 @pytest.mark.parametrize("language", ["en", "ja"])
 def test_every_row_of_the_inspector_is_explained(walking: MainWindow, english: Language, language: str) -> None:
     english.speak(language)
-    for row in walking.parts.panels.inspector.rows:
+    inspector = walking.parts.panels.inspector
+    for row in [inspector.row(each.address.property.name) for each in inspector.edited]:
         page, term = walking.help.place_of(row.label)
         assert walking.help.place_of(row.key) == (page, term)
         walking.help.open_at((page, term))

@@ -1,6 +1,5 @@
 """The manual as a website: its pages before Sphinx makes them."""
 
-import json
 import re
 import sys
 from pathlib import Path
@@ -8,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import dev_site
+import dev_site_commands
 from dev_site_project_file import in_japanese
 from dev_site_properties import properties_page
 from kagezou.cli.main import VERBS
@@ -66,13 +66,27 @@ def test_the_project_file_is_described_in_japanese_row_by_row(english: Language)
 
 
 def test_every_command_is_explained_in_both_languages() -> None:
-    words = json.loads((dev_site.SITE / "commands_ja.json").read_text(encoding="utf-8"))
-    assert list(words) == list(VERBS)
-    assert all(any(ord(sign) > 0x3000 for sign in each) for each in words.values())
+    words = dev_site_commands.catalogue()
+    assert list(words["summaries"]) == list(VERBS)
+    assert set(words["texts"]) == dev_site_commands.english_texts()
+    for texts in words.values():
+        assert [each for each in texts.values() if not any(ord(sign) > 0x3000 for sign in each)] == []
+
+
+def test_the_japanese_reference_has_every_option_and_example_of_the_english_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    of_english, of_japanese = ("\n".join(dev_site_commands.commands_page(each)) for each in ("en", "ja"))
+    for wanted in (r"(?<![\w-])--[a-z-]+", r"(?m)^ *(kagezou .*?)(?= {4,}|$)"):
+        assert set(re.findall(wanted, of_english)) <= set(re.findall(wanted, of_japanese))
+    words = re.sub(r"```.*?```|`[^`]*`", "", of_japanese, flags=re.DOTALL)
+    left = re.compile(r"[a-z]{3,} [a-z]{2,} [a-z]{2,}")
+    assert [line for line in words.splitlines() if left.search(line)] == []
 
 
 def test_the_reference_shows_what_a_command_says_itself(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    lines = "\n".join(dev_site.commands_page("en"))
+    lines = "\n".join(dev_site_commands.commands_page("en"))
     assert "## kagezou render" in lines
     assert "--start-frame N" in lines
     assert capsys.readouterr().out == ""

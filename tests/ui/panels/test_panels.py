@@ -8,11 +8,14 @@ from pytestqt.qtbot import QtBot
 
 from kagezou.document import properties
 from kagezou.document.address import Address, track_of, value_of
+from kagezou.document.common_edits import set_all
+from kagezou.document.figure_properties import HOLD
 from kagezou.document.invariants import check
 from kagezou.document.properties import TABLE
 from kagezou.document.property import Scope
 from kagezou.importing.staging import CharacterSource
 from kagezou.picture_source import Paper
+from kagezou.ui.panels.groups import Group, is_rare
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
 from kagezou.ui.panels.layer_model import Role
@@ -37,7 +40,37 @@ def field_of(inspector: Inspector, name: str, index: int = 0) -> ScrubField:
 
 
 def test_the_inspector_has_a_row_for_every_property(inspector: Inspector) -> None:
-    assert {row.address.property for row in inspector.rows} == {prop for prop in TABLE if prop.scope is not Scope.PIECE}
+    assert {each.address.property for each in inspector.edited} == {
+        prop for prop in TABLE if prop.scope is not Scope.PIECE
+    }
+
+
+def test_a_row_is_made_when_it_is_first_to_be_seen(inspector: Inspector, filled: OpenProject) -> None:
+    reflection, shape = inspector.sections[Group.REFLECTION], inspector.sections[Group.SHAPE]
+    assert reflection.rows == []
+    reflection.open(opened=True)
+    assert [row.edited for row in reflection.rows] == reflection.edited
+    assert all(row.editor.isVisibleTo(inspector) for row in reflection.rows)
+
+    grow = Address(properties.GROW, filled.bridge.layer_id)
+    hold = Address(HOLD, filled.bridge.layer_id)
+    made = [row.address for row in shape.rows]
+    assert grow in made
+    assert hold not in made
+    # What is not the default is seen without being asked for.
+    filled.bridge.session.edit("Hold", set_all(filled.bridge.document, (hold,), 0.5, 1))
+    assert {row.address for row in shape.rows if row.editor.isVisibleTo(inspector)} == {*made, hold}
+
+
+def test_the_tab_key_goes_from_row_to_row_whenever_they_were_made(inspector: Inspector) -> None:
+    light = inspector.sections[Group.LIGHT]
+    light.show_more(shown=True)
+    inspector.row("light.azimuth")
+    order, widget = [], light.header.nextInFocusChain()
+    while widget is not None and widget is not light.more:
+        order += [row for row in light.rows if widget is row.key]
+        widget = widget.nextInFocusChain()
+    assert order == sorted(light.rows, key=lambda row: is_rare(row.address.property))
 
 
 def test_typing_sets_a_value_as_one_step(qtbot: QtBot, inspector: Inspector, filled: OpenProject) -> None:

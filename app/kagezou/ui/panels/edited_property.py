@@ -61,6 +61,12 @@ class EditedProperty:
         return usual_value(self.bridge.document, self.address)
 
     @property
+    def is_changed(self) -> bool:
+        """Whether it was set by someone, or is keyed."""
+        usual = self.usual
+        return any(track.is_keyed or track.constant != usual for track in self.tracks)
+
+    @property
     def path(self) -> str:
         """The property's path, as scripts and the command line write it."""
         return path_of(self.bridge.document, self.address)

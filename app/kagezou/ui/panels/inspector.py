@@ -1,6 +1,7 @@
 """The inspector: every property of the table, the light first, for the scene and the layer or set piece worked on."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
+from itertools import chain
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
@@ -16,8 +17,9 @@ from kagezou.document.property import AnyProperty, Scope
 from kagezou.document.values import value_at
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.figure_card import card_at
+from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.folds import Folds
-from kagezou.ui.panels.groups import Group, group_of, is_rare
+from kagezou.ui.panels.groups import Group, group_of
 from kagezou.ui.panels.piece_name import PieceName
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.row_menu import PropertyMenus
@@ -25,7 +27,9 @@ from kagezou.ui.panels.section import Section
 from kagezou.ui.panels.wave_note import WaveNote
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.clipboard import Clipboard
+from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.retiring import retire
+from kagezou.ui.widgets.scrub_field import ScrubLabel
 
 _ONLY_FOR_LIGHT = {
     properties.LIGHT_POSITION.name: "point",
@@ -58,6 +62,10 @@ class Inspector(QScrollArea):
         self._column = QVBoxLayout(self._inner)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(1)
+        self._name = ScrubLabel("")
+        """No row's: it measures names of rows."""
+        self._name.setParent(self._inner)
+        self._name.hide()
         self.chosen = QLabel()
         self.chosen.setObjectName("several_layers")
         self.chosen.setWordWrap(True)
@@ -75,12 +83,18 @@ class Inspector(QScrollArea):
 
     @property
     def rows(self) -> list[PropertyRow]:
-        """Every row there is now, hidden ones included."""
+        """Every row that is made by now, hidden ones included."""
         return [row for section in self.sections.values() for row in section.rows]
 
+    @property
+    def edited(self) -> list[EditedProperty]:
+        """What every row is about, whether it is made or not."""
+        return [each for section in self.sections.values() for each in section.edited]
+
     def row(self, name: str) -> PropertyRow:
-        """Return the row of a property by its name in the table."""
-        return next(row for row in self.rows if row.address.property.name == name)
+        """Return the row of a property by its name in the table, made for it where nobody has seen it yet."""
+        address = next(each.address for each in self.edited if each.address.property.name == name)
+        return self.sections[group_of(address.property)].rows_of((address,))[0]
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Rows that were just put in are shown, and have a width, only once Qt lays them out.
@@ -94,11 +108,7 @@ class Inspector(QScrollArea):
         wanted = set(addresses)
         shown: list[PropertyRow] = []
         for section in self.sections.values():
-            found = [row for row in section.rows if row.address in wanted]
-            if found:
-                section.open(opened=True)
-                section.show_more(shown=section.more.isChecked() or any(is_rare(row.address.property) for row in found))
-            shown += found
+            shown += section.reveal(wanted)
         for row in self.rows:
             row.show_chosen(chosen=row in shown)
         if shown:
@@ -147,7 +157,7 @@ class Inspector(QScrollArea):
         if self.waves is not None:
             self.sections[Group.WAVES].add_note(self.waves)
         self._put_in_order()
-        _align(list(self.sections.values()))
+        _align(self.sections.values(), self._name)
         shown = self.sections.get(Group.CHARACTER if ids else Group.PIECE_PLACE)
         if shown is not None and before is not None and before[0] is self._bridge.session and (before[1] or before[3]):
             # Another layer or piece was chosen by hand: it is shown, wherever the panel was.
@@ -175,7 +185,7 @@ class Inspector(QScrollArea):
             first, *others = (
                 Address(prop, piece_id=each) if scope is Scope.PIECE else Address(prop, each) for each in ids
             )
-            self.sections[group].add(PropertyRow(self._bridge, first, self.menus, tuple(others)))
+            self.sections[group].add(EditedProperty(self._bridge, first, tuple(others)))
 
     def _new_section(self, group: Group) -> Section:
         section, folds = Section(group, self.menus), self._folds
@@ -183,7 +193,10 @@ class Inspector(QScrollArea):
         section.show_more(shown=folds.shows_more(group))
         section.folded.connect(lambda opened: folds.set_open(group, opened=opened))
         section.more_asked.connect(lambda shown: folds.set_more(group, shown=shown))
+        section.header.toggled.connect(self._show_relevant)
         section.more.toggled.connect(self._show_relevant)
+        if group is group_of(properties.TILT):
+            section.made.connect(self._show_measured_tilt)
         return section
 
     def _put_in_order(self) -> None:
@@ -214,8 +227,8 @@ class Inspector(QScrollArea):
         document, frame = self._bridge.document, self._bridge.frame
         kind = value_at(document.tracks, properties.LIGHT_KIND, frame)
 
-        def means_something(row: PropertyRow) -> bool:
-            prop, piece_id = row.address.property, row.address.piece_id
+        def means_something(address: Address) -> bool:
+            prop, piece_id = address.property, address.piece_id
             is_of_kind = piece_id is None or matters(prop, kind_of(document.piece(piece_id), frame))
             return _ONLY_FOR_LIGHT.get(prop.name, kind) == kind and is_of_kind and self._is_its_own(prop)
 
@@ -232,12 +245,12 @@ class Inspector(QScrollArea):
     def _show_measured_tilt(self) -> None:
         """Show the tilt that two grounding points measure, which then cannot be set (spec 2)."""
         ids = self._bridge.layer_ids
-        if not ids:
+        row = next((each for each in self.rows if each.address.property is properties.TILT), None)
+        if row is None:
             return
         document, frame = self._bridge.document, self._bridge.frame
         camera, ground = camera_at(document, frame), ground_at(document, frame)
         cards = [card_at(document, document.layer(each), frame, camera, ground) for each in ids]
-        row = self.row(properties.TILT.name)
         row.set_editable(editable=not any(card.is_tilt_measured for card in cards))
         if len(cards) == 1 and cards[0].is_tilt_measured:
             row.editor.show_value(cards[0].tilt_deg)
@@ -249,10 +262,14 @@ def _decide(addresses: Iterable[Address]) -> bool:
 
 
 def _is_of_scene(section: Section) -> bool:
-    return section.rows[0].address.property.scope is Scope.DOCUMENT
+    return section.edited[0].address.property.scope is Scope.DOCUMENT
 
 
-def _align(sections: list[Section]) -> None:
-    width = max((row.label.sizeHint().width() for section in sections for row in section.rows), default=0)
+def _align(sections: Collection[Section], name: ScrubLabel) -> None:
+    # By all names, so that no section that is opened moves the others.
+    width = 0
+    for each in chain.from_iterable(section.edited for section in sections):
+        name.setText(translated(each.address.property.label))
+        width = max(width, name.sizeHint().width())
     for section in sections:
         section.align(width)

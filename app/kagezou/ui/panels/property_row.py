@@ -1,20 +1,18 @@
 """One line of the inspector: key diamond, name, editor, link; it edits one property of all layers that are chosen."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtWidgets import QWidget
 
 from kagezou.animation.track import Value
-from kagezou.document.address import Address
 from kagezou.errors import Problem
 from kagezou.io.clips.value_clips import dumps_value
 from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.editors import Editor, editor_for
 from kagezou.ui.panels.filter_pictures import tip_of
 from kagezou.ui.panels.row_menu import PropertyMenus
-from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.key_button import KeyButton, KeyState
 from kagezou.ui.widgets.link_button import LinkButton
@@ -26,35 +24,23 @@ class PropertyRow(QObject):
 
     Parameters
     ----------
-    bridge
-        The session to edit.
-    address
-        What is edited.
-    menus
-        What opens its menu.
-    others
-        The same property of the other layers that are chosen.
-
-    Attributes
-    ----------
     edited
         What the widgets show and change.
     mates
         The properties of its section.
+    menus
+        What opens its menu.
     """
 
-    def __init__(
-        self, bridge: Bridge, address: Address, menus: PropertyMenus, others: tuple[Address, ...] = ()
-    ) -> None:
+    def __init__(self, edited: EditedProperty, mates: Sequence[EditedProperty], menus: PropertyMenus) -> None:
         super().__init__()
-        self.address = address
+        self.address = address = edited.address
         self._menus = menus
-        self.edited = EditedProperty(bridge, address, others)
+        self.edited = edited
         self._shown: tuple[object, ...] | None = None
         self._is_visible = True
-        self.is_changed = False
-        """Whether it was set by someone, or is keyed."""
-        self.mates: list[EditedProperty] = [self.edited]
+        self._is_changed = False
+        self.mates = mates
         self.key = KeyButton()
         self.link = LinkButton()
         self.editor: Editor = editor_for(address.property)
@@ -93,9 +79,8 @@ class PropertyRow(QObject):
         self.key.show_state(KeyState.HERE if edited.is_keyed_here else KeyState.KEYED if keyed else KeyState.NONE)
         self.link.show_linked(linked=linked)
         self.link.setVisible(self._is_visible and edited.can_be_linked)
-        default = self.edited.usual
-        self.is_changed = keyed or any(track.constant != default for track in tracks)
-        self._show_changed(changed=self.is_changed)
+        self._is_changed = edited.is_changed
+        self._show_changed(changed=self._is_changed)
 
     def set_visible(self, *, visible: bool) -> None:
         """Show or hide the whole line."""
@@ -111,7 +96,7 @@ class PropertyRow(QObject):
             self.label.style().unpolish(self.label)
             self.label.style().polish(self.label)
             # Which gave the label the palette of all labels.
-            self.label.show_changed(changed=self.is_changed)
+            self.label.show_changed(changed=self._is_changed)
 
     def set_editable(self, *, editable: bool) -> None:
         """Allow editing, or only show."""

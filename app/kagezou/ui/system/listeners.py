@@ -13,16 +13,25 @@ def forget_listeners(senders: Iterable[QObject]) -> None:
     What is connected by functions is not let go of when what they use goes: it would be called in vain, and as nobody
     sees what such functions hold, circles through them would stay in memory for good.
     """
-    first = QObject().metaObject().methodCount()
+    # A window has hundreds of objects, of few classes.
+    known: dict[type[QObject], tuple[str, ...]] = {}
     for sender in senders:
         if not isValid(sender):
             continue
-        kind = sender.metaObject()
-        for method in map(kind.method, range(first, kind.methodCount())):
-            if method.methodType() == QMetaMethod.MethodType.Signal:
-                # As the macro SIGNAL writes a signal's name; None is any receiver, which PySide's types do not know.
-                name = f"2{bytes(method.methodSignature().data()).decode()}"
-                QObject.disconnect(sender, name, None, None)  # type: ignore[call-overload]
+        kind = type(sender)
+        if kind not in known:
+            known[kind] = _signals_of(sender)
+        for name in known[kind]:
+            # None is any receiver, which PySide's types do not know.
+            QObject.disconnect(sender, name, None, None)  # type: ignore[call-overload]
+
+
+def _signals_of(sender: QObject) -> tuple[str, ...]:
+    """Return the signals of an object's class, as the macro SIGNAL writes their names."""
+    kind, first = sender.metaObject(), QObject().metaObject().methodCount()
+    methods = map(kind.method, range(first, kind.methodCount()))
+    signals = (each for each in methods if each.methodType() == QMetaMethod.MethodType.Signal)
+    return tuple(f"2{bytes(each.methodSignature().data()).decode()}" for each in signals)
 
 
 def senders_within(part: object, beside: Iterable[object]) -> Iterator[QObject]:
