@@ -11,9 +11,9 @@ from kagezou.document.changes import tracks_changed
 from kagezou.document.edits import add_layer, set_canvas, set_constant, set_key
 from kagezou.document.linking import link
 from kagezou.document.model import Document
-from kagezou.document.piece_kinds import PieceKind
 from kagezou.document.properties import OF_PIECE
 from kagezou.document.set_pieces import add_piece
+from kagezou.geometry.sets.measures import PieceKind
 from tests.render.reference.figures import standing
 
 
@@ -35,8 +35,8 @@ def test_every_property_is_told_by_its_address(document: Document) -> None:
         value = track_of(document, address).value_at(1)
         edited = set_constant(document, address, value)
         keyed = set_key(edited, address, 3, value)
-        assert tracks_changed(edited, keyed) == {address}
-        assert tracks_changed(keyed, edited) == {address}
+        assert tracks_changed(edited, keyed) == frozenset({address})
+        assert tracks_changed(keyed, edited) == frozenset({address})
 
 
 def test_several_owners_at_once(document: Document) -> None:
@@ -49,7 +49,7 @@ def test_several_owners_at_once(document: Document) -> None:
     edited = document
     for address, value in wanted.items():
         edited = set_constant(edited, address, value)
-    assert tracks_changed(document, edited) == set(wanted)
+    assert tracks_changed(document, edited) == frozenset(wanted)
 
 
 def test_what_is_no_track_is_no_answer(document: Document) -> None:

@@ -10,7 +10,6 @@ from kagezou.document.model import Document, Layer, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty
 
-
 _Owner: TypeAlias = Document | Layer | Piece
 
 

@@ -1438,6 +1438,10 @@
         <translation>内容</translation>
     </message>
     <message>
+        <source>Missing drawings</source>
+        <translation>見つからないセル</translation>
+    </message>
+    <message>
         <source>%1 bit</source>
         <translation>%1 bit</translation>
     </message>
@@ -1496,6 +1500,18 @@
     <message>
         <source>Finished picture</source>
         <translation>完成画面</translation>
+    </message>
+    <message>
+        <source>Export nothing, name them</source>
+        <translation>書き出さずに名前を挙げる</translation>
+    </message>
+    <message>
+        <source>Leave the frames empty</source>
+        <translation>フレームを空にする</translation>
+    </message>
+    <message>
+        <source>Hold the nearest drawing</source>
+        <translation>近くのセルで埋める</translation>
     </message>
     <message>
         <source>PSD, opacity and blend mode kept</source>

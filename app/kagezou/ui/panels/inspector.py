@@ -9,17 +9,15 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 from kagezou.document import properties
 from kagezou.document.address import Address
 from kagezou.document.changes import tracks_changed
-from kagezou.document.figure_properties import PLACEMENT_LINES
 from kagezou.document.model import Document
-from kagezou.document.piece_kinds import kind_of, matters
 from kagezou.document.properties import TABLE
-from kagezou.document.property import AnyProperty, Scope
-from kagezou.document.values import value_at
+from kagezou.document.property import Scope
 from kagezou.scene.evaluate import camera_at, ground_at
 from kagezou.scene.figure_card import card_at
 from kagezou.ui.panels.edited_property import EditedProperty
 from kagezou.ui.panels.folds import Folds
 from kagezou.ui.panels.groups import Group, group_of
+from kagezou.ui.panels.meaning import decides_meaning, meaning_on
 from kagezou.ui.panels.piece_name import PieceName
 from kagezou.ui.panels.property_row import PropertyRow
 from kagezou.ui.panels.row_menu import PropertyMenus
@@ -30,19 +28,6 @@ from kagezou.ui.system.clipboard import Clipboard
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.retiring import retire
 from kagezou.ui.widgets.scrub_field import ScrubLabel
-
-_ONLY_FOR_LIGHT = {
-    properties.LIGHT_POSITION.name: "point",
-    properties.OVERHEAD_RADIUS.name: "point",
-    properties.OVERHEAD_SIMPLIFY.name: "point",
-    properties.LIGHT_STEP.name: "point",
-    properties.LIGHT_AZIMUTH.name: "sun",
-    properties.LIGHT_ELEVATION.name: "sun",
-}
-"""Properties that mean nothing for the other kind of light and are hidden then."""
-
-_OF_A_PART = frozenset((properties.VISIBLE, properties.RECEIVES, *PLACEMENT_LINES))
-"""What a part of another layer's figure has of its own."""
 
 
 class Inspector(QScrollArea):
@@ -128,17 +113,26 @@ class Inspector(QScrollArea):
         shown, self._shown = self._shown, (document, frame)
         # While something is dragged it is one of many that are seen here.
         alone = None if is_built_anew or shown is None or shown[1] != frame else tracks_changed(shown[0], document)
-        rows = self.rows if alone is None else [row for row in self.rows if row.edited.is_about(alone)]
-        were_changed = [row.is_changed for row in rows]
-        for row in rows:
-            row.refresh()
+        is_settled = self._refresh_rows(alone)
         if self.waves is not None:
             self.waves.refresh()
         if self.owner is not None:
             self.owner.refresh()
-        if alone is None or _decide(alone) or were_changed != [row.is_changed for row in rows]:
+        if not is_settled:
             self._show_relevant()
         self._show_measured_tilt()
+
+    def _refresh_rows(self, alone: frozenset[Address] | None) -> bool:
+        """Refresh the rows of some properties, None for all; return whether the same ones as before are to be seen."""
+        rows = self.rows if alone is None else [row for row in self.rows if row.edited.is_about(alone)]
+        were_changed = [row.is_changed for row in rows]
+        for row in rows:
+            row.refresh()
+        if alone is None or decides_meaning(alone):
+            return False
+        # A property whose row is not made yet may have to be shown from now on.
+        are_made = len(rows) == sum(each.is_about(alone) for each in self.edited)
+        return are_made and were_changed == [row.is_changed for row in rows]
 
     def _follow_selection(self) -> bool:
         """Build the rows of what is chosen; return whether they are others than before."""
@@ -224,23 +218,10 @@ class Inspector(QScrollArea):
             self.chosen.setText(self.tr("%1 layers together: %2").replace("%1", str(len(ids))).replace("%2", names))
 
     def _show_relevant(self) -> None:
-        document, frame = self._bridge.document, self._bridge.frame
-        kind = value_at(document.tracks, properties.LIGHT_KIND, frame)
-
-        def means_something(address: Address) -> bool:
-            prop, piece_id = address.property, address.piece_id
-            is_of_kind = piece_id is None or matters(prop, kind_of(document.piece(piece_id), frame))
-            return _ONLY_FOR_LIGHT.get(prop.name, kind) == kind and is_of_kind and self._is_its_own(prop)
-
+        bridge = self._bridge
+        means_something = meaning_on(bridge.document, bridge.frame, bridge.layer_ids)
         for section in self.sections.values():
             section.show_rows(means_something)
-
-    def _is_its_own(self, prop: AnyProperty) -> bool:
-        """Return whether a property means anything for the layers chosen: a part shares its figure's shadow."""
-        ids, document = self._bridge.layer_ids, self._bridge.document
-        if prop.scope is not Scope.LAYER or prop in _OF_A_PART:
-            return True
-        return any(document.layer(each).joins is None for each in ids)
 
     def _show_measured_tilt(self) -> None:
         """Show the tilt that two grounding points measure, which then cannot be set (spec 2)."""
@@ -254,11 +235,6 @@ class Inspector(QScrollArea):
         row.set_editable(editable=not any(card.is_tilt_measured for card in cards))
         if len(cards) == 1 and cards[0].is_tilt_measured:
             row.editor.show_value(cards[0].tilt_deg)
-
-
-def _decide(addresses: Iterable[Address]) -> bool:
-    """Return whether it hangs on properties which others mean something."""
-    return any(each.property is properties.LIGHT_KIND or each.piece_id is not None for each in addresses)
 
 
 def _is_of_scene(section: Section) -> bool:

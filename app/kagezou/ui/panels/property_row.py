@@ -39,7 +39,8 @@ class PropertyRow(QObject):
         self.edited = edited
         self._shown: tuple[object, ...] | None = None
         self._is_visible = True
-        self._is_changed = False
+        self.is_changed = False
+        """Whether it was shown as set by someone or keyed."""
         self.mates = mates
         self.key = KeyButton()
         self.link = LinkButton()
@@ -79,8 +80,8 @@ class PropertyRow(QObject):
         self.key.show_state(KeyState.HERE if edited.is_keyed_here else KeyState.KEYED if keyed else KeyState.NONE)
         self.link.show_linked(linked=linked)
         self.link.setVisible(self._is_visible and edited.can_be_linked)
-        self._is_changed = edited.is_changed
-        self._show_changed(changed=self._is_changed)
+        self.is_changed = edited.is_changed
+        self._show_changed(changed=self.is_changed)
 
     def set_visible(self, *, visible: bool) -> None:
         """Show or hide the whole line."""
@@ -96,7 +97,7 @@ class PropertyRow(QObject):
             self.label.style().unpolish(self.label)
             self.label.style().polish(self.label)
             # Which gave the label the palette of all labels.
-            self.label.show_changed(changed=self._is_changed)
+            self.label.show_changed(changed=self.is_changed)
 
     def set_editable(self, *, editable: bool) -> None:
         """Allow editing, or only show."""
