@@ -113,26 +113,24 @@ class Inspector(QScrollArea):
         shown, self._shown = self._shown, (document, frame)
         # While something is dragged it is one of many that are seen here.
         alone = None if is_built_anew or shown is None or shown[1] != frame else tracks_changed(shown[0], document)
-        is_settled = self._refresh_rows(alone)
+        if not self._refresh_rows(alone):
+            self._show_relevant()
         if self.waves is not None:
             self.waves.refresh()
         if self.owner is not None:
             self.owner.refresh()
-        if not is_settled:
-            self._show_relevant()
         self._show_measured_tilt()
 
     def _refresh_rows(self, alone: frozenset[Address] | None) -> bool:
         """Refresh the rows of some properties, None for all; return whether the same ones as before are to be seen."""
-        rows = self.rows if alone is None else [row for row in self.rows if row.edited.is_about(alone)]
+        about = self.edited if alone is None else [each for each in self.edited if each.is_about(alone)]
+        rows = [row for row in self.rows if row.edited in about]
         were_changed = [row.is_changed for row in rows]
         for row in rows:
             row.refresh()
-        if alone is None or decides_meaning(alone):
-            return False
         # A property whose row is not made yet may have to be shown from now on.
-        are_made = len(rows) == sum(each.is_about(alone) for each in self.edited)
-        return are_made and were_changed == [row.is_changed for row in rows]
+        are_alike = len(rows) == len(about) and were_changed == [row.is_changed for row in rows]
+        return alone is not None and are_alike and not decides_meaning(alone)
 
     def _follow_selection(self) -> bool:
         """Build the rows of what is chosen; return whether they are others than before."""
@@ -206,9 +204,8 @@ class Inspector(QScrollArea):
         self._column.addStretch(1)
 
     def _show_several(self) -> None:
-        ids = self._bridge.layer_ids
-        names = ", ".join(self._bridge.document.layer(each).name for each in ids)
-        document = self._bridge.document
+        ids, document = self._bridge.layer_ids, self._bridge.document
+        names = ", ".join(document.layer(each).name for each in ids)
         figure_id = document.layer(ids[0]).joins if len(ids) == 1 else None
         self.chosen.setVisible(len(ids) > 1 or figure_id is not None)
         if figure_id is not None:
@@ -218,18 +215,16 @@ class Inspector(QScrollArea):
             self.chosen.setText(self.tr("%1 layers together: %2").replace("%1", str(len(ids))).replace("%2", names))
 
     def _show_relevant(self) -> None:
-        bridge = self._bridge
-        means_something = meaning_on(bridge.document, bridge.frame, bridge.layer_ids)
+        means_something = meaning_on(self._bridge.document, self._bridge.frame, self._bridge.layer_ids)
         for section in self.sections.values():
             section.show_rows(means_something)
 
     def _show_measured_tilt(self) -> None:
         """Show the tilt that two grounding points measure, which then cannot be set (spec 2)."""
-        ids = self._bridge.layer_ids
         row = next((each for each in self.rows if each.address.property is properties.TILT), None)
         if row is None:
             return
-        document, frame = self._bridge.document, self._bridge.frame
+        ids, document, frame = self._bridge.layer_ids, self._bridge.document, self._bridge.frame
         camera, ground = camera_at(document, frame), ground_at(document, frame)
         cards = [card_at(document, document.layer(each), frame, camera, ground) for each in ids]
         row.set_editable(editable=not any(card.is_tilt_measured for card in cards))
