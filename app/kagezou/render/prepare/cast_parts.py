@@ -18,7 +18,7 @@ _LEAST_COARSEST = 4
 _MOST_TEXELS = 4096
 """Along a side of the finest picture of a shadow, unless a strip of it has to be finer."""
 
-_SMALL_TEXELS = 300_000
+_SMALL_TEXELS = 400_000
 """A chart with sheets that is no larger is cast once, as fine as any of its strips wants it: casting costs more."""
 
 _STEP_PX = 64.0

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of, felt_by
 from kagezou.geometry.ground import canvas_from_plane
 from kagezou.geometry.sets.bodies import Body, Facet, Solid
-from kagezou.geometry.sets.laid_flat import FlatFace, FlatSheet, lines_of
+from kagezou.geometry.sets.laid_flat import GROUND, FlatFace, FlatSheet, Join, lines_of, moved
 from kagezou.geometry.sets.regions import Group
 from kagezou.geometry.sets.unfolding import unfolded
 from kagezou.geometry.vectors import Matrix, height_over
@@ -195,16 +195,42 @@ def _extent(job: FilterJob, number: int) -> Extent:
         reached = None if shadow is None else _cut(corners, _grown(shadow, _reach(job.blur, farthest)))
         if reached is not None:
             parts.append(reached)
+    parts += filter(None, (_looked_at(job, join) for join in development.joins if join.chart == number))
     if not parts:
         return Extent(0.0, 0.0, 1.0, 1.0)
-    around = Extent(
+    u, v = job.moved_px
+    return felt_by(job.blur, _grown(_around(parts), max(u, v) + _MARGIN_PX))
+
+
+def _looked_at(job: FilterJob, join: Join) -> Extent | None:
+    """Return the part of a join's chart that the receiver looks at near the seam; None where no shadow comes near."""
+    if join.sheet == GROUND:
+        view, farthest = BlurView.of_ground(job, job.matte.box), max(abs(job.extent.low), abs(job.extent.high))
+        whole = _corners_of(_grown(job.extent, _reach(job.blur, farthest)))
+    else:
+        view = BlurView.of_sheet(job, join.sheet, job.matte.box)
+        whole = job.development.sheets[join.sheet].corners @ inverse(job.ground_from_blurred).T
+    part = _cut(whole, _grown(_box_of(view.seam_of(join)), view.reach_of(join)))
+    return None if part is None else _box_of(moved(view.there_from_here(join), _corners_of(part)))
+
+
+def _corners_of(extent: Extent) -> Matrix:
+    left, low, right, high = extent.left, extent.low, extent.right, extent.high
+    return np.array([[left, low], [right, low], [right, high], [left, high]])
+
+
+def _box_of(places: Matrix) -> Extent:
+    (left, low), (right, high) = places.min(axis=0), places.max(axis=0)
+    return Extent(float(left), float(low), float(right), float(high))
+
+
+def _around(parts: Sequence[Extent]) -> Extent:
+    return Extent(
         min(each.left for each in parts),
         min(each.low for each in parts),
         max(each.right for each in parts),
         max(each.high for each in parts),
     )
-    u, v = job.moved_px
-    return felt_by(job.blur, _grown(around, max(u, v) + _MARGIN_PX))
 
 
 def _grown(extent: Extent, by: float) -> Extent:
