@@ -33,7 +33,6 @@ FORMATS: Final = (*PICTURES, *SETS, *USD, *SHEETS)
 _ROOT: Final = Path(__file__).parent.parent
 _CORPUS: Final = _ROOT / "tests" / "corpus"
 _HANG_S: Final = 240
-_APART_S: Final = 1200
 _BATCH: Final = 100
 
 
@@ -208,61 +207,88 @@ def _reader(form: str, *, apart: bool) -> Callable[[Path, int], None]:
     return _read_usd_here if form in USD and not apart else _read_set
 
 
-def outcomes(form: str, count: int, seed: int, *, apart: bool = False) -> Counter[str]:
-    """Return how many files were read, refused by a sentence, or ended otherwise, in this process."""
+def results(form: str, numbers: range, seed: int, *, apart: bool = False) -> Iterator[str]:
+    """Yield for files of a seed, by their numbers, whether each was read, refused by a sentence, or ended otherwise."""
     from kagezou.errors import InputProblem
 
     sources, read = mutants_of(form, seed), _reader(form, apart=apart)
-    found: Counter[str] = Counter()
     with tempfile.TemporaryDirectory() as folder:
-        for number in range(count):
+        for number in range(numbers.stop):
+            data = next(sources[number % len(sources)])
+            if number not in numbers:
+                continue
             path = Path(folder) / f"{number}.{form}"
-            path.write_bytes(next(sources[number % len(sources)]))
+            path.write_bytes(data)
             try:
                 read(path, number)
-                found["read"] += 1
+                yield "read"
             except InputProblem as problem:
-                found["refused" if "\n" not in str(problem) else "refused by several lines"] += 1
+                yield "refused" if "\n" not in str(problem) else "refused by several lines"
             except Exception as error:  # what is looked for
-                found[f"untyped {type(error).__name__}: {error}"[:200]] += 1
+                yield f"untyped {type(error).__name__}: {error}"[:200]
             path.unlink()
-    return found
+
+
+def outcomes(form: str, count: int, seed: int) -> Counter[str]:
+    """Return how many files were read, refused by a sentence, or ended otherwise, in this process."""
+    return Counter(results(form, range(count), seed))
 
 
 def main(words: list[str]) -> int:
     """Run all formats, or those that are named, and print the counts."""
     sys.path.insert(0, str(_ROOT))
     if words[:1] == ["--child"]:
-        form, count, seed = words[1], int(words[2]), int(words[3])
-        print(json.dumps(outcomes(form, count, seed, apart="--apart" in words)))
+        form, numbers, seed = words[1], range(int(words[2]), int(words[3])), int(words[4])
+        for each in results(form, numbers, seed, apart="--apart" in words):
+            print(json.dumps(each), flush=True)
         return 0
     count, first = int(words[0]) if words else 2000, int(words[1]) if words[1:] else 1
     bad = 0
     for form in words[2:] or FORMATS:
         found: Counter[str] = Counter()
         for seed in range(first, first + -(-count // _BATCH)):
-            came = _of_child(form, seed)
-            if form in USD and not came.keys() <= _SOUND:
-                print(f"{form}: seed {seed} again, each in a process of its own, after {dict(came)}", flush=True)
-                came = _of_child(form, seed, "--apart")
-            found.update(came)
+            found.update(_batch(form, seed))
         print(form, dict(found), flush=True)
         bad += sum(number for name, number in found.items() if name not in _SOUND)
     return min(bad, 1)
 
 
-_SOUND: Final = frozenset({"read", "refused"})
+_ALONE: Final = "ended a process of its own alone"
+_SOUND: Final = frozenset({"read", "refused", _ALONE})
 
 
-def _of_child(form: str, seed: int, *how: str) -> Counter[str]:
-    command = [sys.executable, __file__, "--child", form, str(_BATCH), str(seed), *how]
-    try:
-        done = subprocess.run(command, capture_output=True, timeout=_APART_S if how else _HANG_S, check=False)
-    except subprocess.TimeoutExpired:
-        return Counter({f"hang (seed {seed})": 1})
-    if done.returncode:
-        return Counter({f"crash {done.returncode} (seed {seed})": 1})
-    return Counter(json.loads(done.stdout.splitlines()[-1]))
+def _batch(form: str, seed: int) -> Iterator[str]:
+    """Yield how each file of a seed ended, one that takes its process along as well."""
+    at = 0
+    while at < _BATCH:
+        came, ended = _of_child(form, seed, range(at, _BATCH))
+        yield from came
+        at += len(came)
+        if at < _BATCH:
+            yield from _apart(form, seed, at) if form in USD else (f"{ended} (seed {seed}, file {at})",)
+            at += 1
+
+
+def _apart(form: str, seed: int, number: int) -> tuple[str, ...]:
+    """Return how a file ended that took the process of many along, read as the program reads it."""
+    came, ended = _of_child(form, seed, range(number, number + 1), "--apart")
+    if came in (["read"], ["refused"]):
+        return (_ALONE,)
+    return tuple(came) or (f"{ended} (seed {seed}, file {number})",)
+
+
+def _of_child(form: str, seed: int, numbers: range, *how: str) -> tuple[list[str], str]:
+    """Return how files ended that a process read, and how the process itself did."""
+    command = [sys.executable, __file__, "--child", form, str(numbers.start), str(numbers.stop), str(seed), *how]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+        try:
+            said, _ = process.communicate(timeout=_HANG_S)
+            ended = f"crash {process.returncode}"
+        except subprocess.TimeoutExpired:
+            process.kill()
+            said, _ = process.communicate()
+            ended = "hang"
+    return [json.loads(line) for line in said.splitlines()], ended
 
 
 if __name__ == "__main__":

@@ -139,6 +139,23 @@ def test_any_encoding_of_the_terminal_will_do(project: Path, encoding: str) -> N
         assert b"Traceback" not in done.stderr
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such variable")
+def test_a_system_without_a_language_takes_any_name(project: Path) -> None:
+    odd, out = project.with_name("影 絵.kage"), project.with_name("出力")
+    project.rename(odd)
+    plain = {name: value for name, value in os.environ.items() if name[:3] != "LC_" and name[:6] != "PYTHON"}
+    kept = {name: os.environ[name] for name in ("PYTHONPATH",) if name in os.environ}
+    done = subprocess.run(
+        [sys.executable, "-m", "kagezou", "render", str(odd), "-o", str(out)],
+        capture_output=True,
+        check=False,
+        env={**plain, **kept, "LC_ALL": "C"},
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert len(list((out / "Hero_shadow").iterdir())) == 3
+    assert done.stdout.decode("utf-8").strip() == str(out / "Hero_shadow")
+
+
 def test_names_with_terminal_codes_and_line_ends_are_one_plain_line(shell: Shell, tmp_path: Path) -> None:
     said = shell.fails(7, "info", tmp_path / "a\n\x1b[31mb.kage")
     assert "\\n\\x1b[31mb.kage" in said

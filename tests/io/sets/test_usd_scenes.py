@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from kagezou.errors import InputProblem
+from kagezou.io.sets import usd_child
 from kagezou.io.sets.mesh_cache import read_set
+from kagezou.io.sets.triangles import Triangles
 from tests.io.sets.usd_files import SKIN, instancer, lefts, mesh, read, said, stage
 
 pytest.importorskip("pxr", reason="the package usd-core is not installed")
@@ -235,3 +237,14 @@ def test_a_mirrored_camera_is_said(tmp_path: Path) -> None:
 def test_attributes_of_any_type_are_one_sentence(tmp_path: Path, body: str) -> None:
     with pytest.raises(InputProblem, match="the file is damaged"):
         read(tmp_path, body)
+
+
+def test_names_that_are_no_text_are_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a damaged file gives for names may change from reading to reading."""
+
+    def undecoded(_opened: object, _most: int) -> Triangles:
+        raise UnicodeDecodeError("utf-8", b"\xff", 0, 1, "invalid start byte")
+
+    monkeypatch.setattr(usd_child, "triangles_in", undecoded)
+    with pytest.raises(InputProblem, match="the file is damaged"):
+        read(tmp_path, mesh("m"))

@@ -52,9 +52,12 @@ def _bound_memory() -> None:
 
 def contents_of(path: Path, rate: Fraction) -> UsdContents:
     """Return what a file holds; InputProblem where it cannot be opened at all."""
-    opened = open_stage(path)
-    is_z_up = str(pxr("UsdGeom").GetStageUpAxis(opened.stage)) == "Z"
-    return UsdContents(_triangles(opened), _cameras(opened, rate), rate if moves(opened.stage) else None, is_z_up)
+    try:
+        opened = open_stage(path)
+        is_z_up = str(pxr("UsdGeom").GetStageUpAxis(opened.stage)) == "Z"
+        return UsdContents(_triangles(opened), _cameras(opened, rate), rate if moves(opened.stage) else None, is_z_up)
+    except UnicodeDecodeError as error:  # names of a damaged file need not be text
+        raise InputProblem(_damaged(path)) from error
 
 
 def _triangles(opened: OpenStage) -> Triangles | Message:
