@@ -3,6 +3,7 @@
 import os
 import shutil
 import sys
+from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -54,7 +55,24 @@ def pytest_configure(config: pytest.Config) -> None:
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadScopeScheduling:
     """Hand tests out by file, whatever is asked for: marks of groups are lost with some releases of pytest."""
+    config.option.loadscopereorder = False  # it takes a file of many small tests for a large one
     return ByFile(config, log)
+
+
+_SHARES_S = {"window": 1.0, "renderer": 0.5, "qtbot": 0.3, "tmp_path": 0.05}
+"""About how long a test takes that asks for one of these; others take next to no time."""
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Where tests run side by side, begin with the files that take longest: none of them is left for the end."""
+    if not hasattr(config, "workerinput"):
+        return
+    shares: dict[Path, float] = defaultdict(float)
+    for item in items:
+        asked = getattr(item, "fixturenames", ())
+        shares[item.path] += max((share for name, share in _SHARES_S.items() if name in asked), default=0.01)
+    # Files stay whole, and the tests of a file in their order.
+    items.sort(key=lambda item: (-shares[item.path], item.path))
 
 
 @pytest.fixture(autouse=True)

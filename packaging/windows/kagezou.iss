@@ -37,6 +37,8 @@ ja.Associate=プロジェクト（.kage）を Kagezou で開く
 en.Path=Find the command kagezou in terminals
 ja.Path=ターミナルで kagezou コマンドを使えるようにする
 en.Software=Draw with the processor (for machines without a graphics driver)
+en.PanelProblem=%1: cannot be written, so the panel for After Effects has to be told where Kagezou is (Program...).
+ja.PanelProblem=%1 に書き込めないため、After Effects のパネルの「プログラム...」で Kagezou の場所を指定してください。
 ja.Software=プロセッサーで描画する（グラフィックスドライバーのないマシン用）
 
 [Tasks]
@@ -63,6 +65,10 @@ Root: HKA; Subkey: "Software\Classes\Kagezou.Project\DefaultIcon"; ValueType: st
 Root: HKA; Subkey: "Software\Classes\Kagezou.Project\shell\open\command"; ValueType: string; ValueData: """{app}\kagezou-window.exe"" ""%1"""; Tasks: associate
 Root: HKCU; Subkey: "Environment"; ValueType: expandsz; ValueName: "Path"; ValueData: "{olddata};{app}"; Tasks: path; Check: IsNotOnPath
 
+[UninstallDelete]
+Type: files; Name: "{autoappdata}\Kagezou\program.txt"
+Type: dirifempty; Name: "{autoappdata}\Kagezou"
+
 [Run]
 Filename: "{app}\kagezou-window.exe"; Description: "{cm:LaunchProgram,Kagezou}"; Flags: nowait postinstall skipifsilent
 
@@ -79,6 +85,22 @@ begin
   if not RegQueryStringValue(HKCU, 'Environment', 'Path', Known) then
     Known := '';
   Result := Pos(';' + Uppercase(ExpandConstant('{app}')) + ';', ';' + Uppercase(Known) + ';') = 0;
+end;
+
+// Where the panel for After Effects looks for the program: Folder.userData, or Folder.appData where it is for all users.
+procedure CurStepChanged(CurStep: TSetupStep);
+var
+  Folder: String;
+  Lines: TArrayOfString;
+begin
+  if CurStep = ssPostInstall then
+  begin
+    Folder := ExpandConstant('{autoappdata}\Kagezou');
+    SetArrayLength(Lines, 1);
+    Lines[0] := ExpandConstant('{app}\kagezou.exe');
+    if not (ForceDirectories(Folder) and SaveStringsToUTF8File(Folder + '\program.txt', Lines, False)) then
+      SuppressibleMsgBox(FmtMessage(CustomMessage('PanelProblem'), [Folder]), mbInformation, MB_OK, IDOK);
+  end;
 end;
 
 procedure CurUninstallStepChanged(Step: TUninstallStep);

@@ -103,3 +103,25 @@ def test_a_bundle_that_unpacks_itself_replaces_nothing_but_a_bundle(tmp_path: Pa
     assert subprocess.run(["sh", damaged, home], capture_output=True, check=False).returncode != 0
     assert (home / "kagezou").is_file()
     assert [path.name for path in home.parent.iterdir()] == ["kagezou"]
+
+
+def test_the_installer_says_where_the_panel_looks_where_the_program_is() -> None:
+    """``autoappdata`` of Inno Setup is what After Effects calls userData, and appData where it is for all users."""
+    script = (ROOT / "packaging" / "windows" / "kagezou.iss").read_text(encoding="utf-8")
+    panel = (ROOT / "app" / "resources" / "after_effects" / "Kagezou.jsx").read_text(encoding="utf-8")
+    assert 'fsName + "/Kagezou/program.txt"' in panel
+    assert "[Folder.userData, Folder.appData]" in panel
+    assert r"Folder := ExpandConstant('{autoappdata}\Kagezou');" in script
+    assert r"SaveStringsToUTF8File(Folder + '\program.txt', Lines, False)" in script
+    assert r"Lines[0] := ExpandConstant('{app}\kagezou.exe');" in script
+    assert r'Type: files; Name: "{autoappdata}\Kagezou\program.txt"' in script
+    for language in ("en", "ja"):
+        assert f"{language}.PanelProblem=%1" in script
+
+
+def test_a_bundle_for_macs_lies_where_the_panel_looks() -> None:
+    spec = (ROOT / "packaging" / "kagezou.spec").read_text(encoding="utf-8")
+    panel = (ROOT / "app" / "resources" / "after_effects" / "Kagezou.jsx").read_text(encoding="utf-8")
+    assert '"/Applications/Kagezou.app/Contents/MacOS/kagezou"' in panel
+    assert 'name="Kagezou.app"' in spec
+    assert 'program("kagezou", console=True)' in spec

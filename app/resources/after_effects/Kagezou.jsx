@@ -46,10 +46,6 @@
     var SECTION = "Kagezou";
     var isWindows = $.os.indexOf("Windows") === 0;
 
-    function setting(name, fallback) {
-        return app.settings.haveSetting(SECTION, name) ? app.settings.getSetting(SECTION, name) : fallback;
-    }
-
     /* The bytes of a text in UTF-8. */
     function bytesOf(text) {
         var bytes = [];
@@ -102,7 +98,7 @@
        with all streams elsewhere. The words lie in a file, so that only its name is on the line. */
     function start(words, isHidden) {
         var file = writeText("json", listText(words));
-        var program = isHidden ? setting("program", "kagezou") : windowProgram();
+        var program = isHidden ? programPath() : windowProgram();
         var line = "P=" + shellWord(program) + "; A=" + shellWord("@" + file.fsName)
             + "; if command -v \"$P\" >/dev/null 2>&1; then (\"$P\" \"$A\" >/dev/null 2>&1 </dev/null &) else printf kagezou-failed; fi";
         if (isWindows) {
@@ -117,9 +113,32 @@
         return file;
     }
 
+    /* The program that was chosen here, else the one that an installer says it has put somewhere, for this user or for all,
+       else where people drag it on a Mac; what is not there any more is passed over, and the shell finds the rest. */
+    function programPath() {
+        if (app.settings.haveSetting(SECTION, "program")) {
+            return app.settings.getSetting(SECTION, "program");
+        }
+        var told = [Folder.userData, Folder.appData];
+        var places = [];
+        for (var i = 0; i < told.length; i++) {
+            var text = readText(fileAt(told[i].fsName + "/Kagezou/program.txt"));
+            places.push(text === null ? "" : text.replace(/^\ufeff|\s+$/g, ""));
+        }
+        if (!isWindows) {
+            places.push("/Applications/Kagezou.app/Contents/MacOS/kagezou");
+        }
+        for (i = 0; i < places.length; i++) {
+            if (places[i] !== "" && fileAt(places[i]).exists) {
+                return places[i];
+            }
+        }
+        return "kagezou";
+    }
+
     /* On Windows the program without a console, where it lies beside the other. */
     function windowProgram() {
-        var program = setting("program", "kagezou");
+        var program = programPath();
         var beside = program.replace(/kagezou\.exe$/i, "kagezou-window.exe");
         return isWindows && beside !== program && fileAt(beside).exists ? beside : program;
     }

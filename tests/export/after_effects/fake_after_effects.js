@@ -66,7 +66,7 @@ const world = {
         scheduleTask(text, delay, repeats) { tasks.set(++tasks.made, { text, repeats }); return tasks.made; }, cancelTask(id) { tasks.delete(id); },
         settings: { kept: {}, haveSetting(s, n) { return n in this.kept; }, getSetting(s, n) { return this.kept[n]; }, saveSetting(s, n, v) { this.kept[n] = v; } }
     },
-    File, Folder: { temp: { fsName: require("os").tmpdir() } }, CompItem, FolderItem, FootageItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
+    File, Folder: { temp: { fsName: require("os").tmpdir() }, userData: { fsName: "/nowhere/user" }, appData: { fsName: "/nowhere/all" } }, CompItem, FolderItem, FootageItem, BlendingMode, ImportAsType: { FOOTAGE: "FOOTAGE" }, alert: (words) => alerts.push(words),
     AlphaMode: { STRAIGHT: "STRAIGHT", PREMULTIPLIED: "PREMULTIPLIED", IGNORE: "IGNORE" },
     AutoOrientType: { NO_AUTO_ORIENT: "NO", ALONG_PATH: "PATH" },
     KeyframeInterpolationType: { HOLD: "HOLD", LINEAR: "LINEAR", BEZIER: "BEZIER" },

@@ -1,5 +1,6 @@
 """The panel beside a Kagezou at work: nothing waits for it, it can be stopped, and what goes wrong is said."""
 
+import os
 import sys
 import tempfile
 from pathlib import Path
@@ -100,6 +101,35 @@ def test_a_program_that_is_not_there_is_said_at_once(tmp_path: Path, saved: Path
     assert said.endswith("/nowhere/影造")
     assert "見つかりません" in said
     assert not [each for each in temporary.iterdir() if "progress" in each.name]
+
+
+@pytest.mark.parametrize("told", ["user", "all"])
+def test_the_program_is_where_the_installer_says(tmp_path: Path, saved: Path, told: str) -> None:
+    """A file as the installer writes it, with a mark of its encoding; one that names what is gone is passed over."""
+    program = tmp_path / "影造 50%41"
+    panel = panel_at(tmp_path, saved, program)
+    for name, says in (("user", program if told == "user" else tmp_path / "gone"), ("all", program)):
+        (tmp_path / name / "Kagezou").mkdir(parents=True)
+        (tmp_path / name / "Kagezou" / "program.txt").write_bytes(f"\ufeff{says}\r\n".encode())
+    run = panel(f"""
+        {LONG}
+        delete app.settings.kept.program;
+        Folder.userData.fsName = {str(tmp_path / "user")!r}; Folder.appData.fsName = {str(tmp_path / "all")!r};
+        press(make);
+    """)
+    assert run.tree["alerts"] == []
+    assert load(saved).canvas.length_frames == 60
+
+
+def test_without_an_installer_the_shell_finds_the_program(
+    tmp_path: Path, saved: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "bin").mkdir()
+    panel = panel_at(tmp_path, saved, tmp_path / "bin" / "kagezou")
+    monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}:{os.environ['PATH']}")
+    run = panel(f"{LONG} delete app.settings.kept.program; press(make);")
+    assert run.tree["alerts"] == []
+    assert saved.is_file()
 
 
 def test_why_it_failed_is_said(tmp_path: Path, saved: Path) -> None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import pairwise
 from math import pi
 from pathlib import Path
@@ -18,7 +19,7 @@ from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import ShadowCast
 from tests.effort import tries
 from tests.render.reference import blurred, raycast
-from tests.render.reference.blurred import ContactLine, Shape
+from tests.render.reference.blurred import ContactLine, Shape, Squares
 from tests.render.reference.figures import figure_alpha, standing, with_values
 from tests.render.reference.outlines import Shift
 from tests.render.reference.raycast import Array
@@ -87,9 +88,15 @@ class Waved(Shape):
         return np.where(area > 0, self.field.at(u + du, v + dv) - self.level, -1.0)
 
 
+@cache
+def fallen(cast: ShadowCast) -> Squares:
+    return blurred.fallen(cast, raycast.Art(figure_alpha() / 255))
+
+
 def exact(cast: ShadowCast) -> Shape:
     """The simplified shape, or the shadow itself."""
-    shadow = blurred.fallen(cast, raycast.Art(figure_alpha() / 255))
+    # No ray knows of what comes afterwards, so that most looks have the same shadow.
+    shadow = fallen(replace(cast, simplify=None, edge=None, water=None))
     if cast.simplify is None:
         return Shape(shadow, 0.5)
     return blurred.simplified(shadow, cast.simplify.amount_px, cast.simplify.distance_px)
@@ -157,7 +164,7 @@ class TestElongation:
         """Fully elongated, the widest blur keeps the ratio and the direction of the shadow's axes."""
         document = document_with(figure, {"simplify": 400.0, "elongation": 1.0})
         cast = cast_in(document)
-        shadow = blurred.fallen(cast, raycast.Art(figure_alpha() / 255))
+        shadow = fallen(cast)
         mean, covariance = blurred.moments_of(shadow)
         got = coverage(renderer, document)
         y, x = np.mgrid[0:1000, 0:1000] + 0.5

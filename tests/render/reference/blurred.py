@@ -14,6 +14,7 @@ from kagezou.geometry.hold import Patches, slide_to_feet
 from kagezou.scene.scene import ShadowCast
 from tests.render.reference import raycast
 from tests.render.reference.raycast import Array, Art
+from tests.render.reference.rims import span_around
 
 SQUARES_A_CHUNK = 1 << 16
 MIN_SIGMA_SQUARES = 0.4
@@ -118,9 +119,7 @@ def fallen(cast: ShadowCast, art: Art, step: float = 0.5, rays_a_side: int = 5) 
     j, i = np.mgrid[0:rows, 0:columns].reshape(2, -1)
     value = _shade(cast, art, line, low[0] + (i + 0.5) * step, low[1] + (j + 0.5) * step).reshape(rows, columns)
     assert not np.concatenate([*value[[0, -1]], *value.T[[0, -1]]]).any(), "the shadow goes on beyond the squares"
-    rim = np.pad(value, 2, mode="edge")
-    around = np.stack([rim[y : y + rows, x : x + columns] for y in range(5) for x in range(5)])
-    fine = around.max(axis=0) - around.min(axis=0) > 1e-6
+    fine = span_around(value, 2) > 1e-6
     j, i = np.nonzero(fine)
     part = np.zeros(len(i))
     for dy in (np.arange(rays_a_side) + 0.5) / rays_a_side:
@@ -245,9 +244,7 @@ class Shape:
         value = self._excess(cast, x + 0.5, y + 0.5)
         result = (value > 0).astype(np.float64)
         # A pixel whose neighbours all lie on its side holds no edge.
-        rim = np.pad(result, 1, mode="edge")
-        around = np.stack([rim[j : j + height, i : i + width] for j in range(3) for i in range(3)])
-        near = around.max(axis=0) != around.min(axis=0)
+        near = span_around(result, 1) > 0
         px, py = x[near], y[near]
         part = np.zeros(len(px))
         for dy in (np.arange(samples_a_side) + 0.5) / samples_a_side:

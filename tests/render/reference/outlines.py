@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-REACH_PX = 4
+NEAR_PX, REACH_PX = 2, 4
 """Outlines further apart than this are measured by brute force."""
 
 
@@ -44,8 +44,9 @@ class Outline:
         """Follow the level through the cells between four pixel centres, linear along their sides."""
         value = coverage - 0.5
         a, b, c, d = value[:-1, :-1], value[:-1, 1:], value[1:, 1:], value[1:, :-1]
-        mixed = (np.minimum.reduce([a, b, c, d]) < 0) & (np.maximum.reduce([a, b, c, d]) >= 0)
-        j, i = np.nonzero(mixed)
+        below = value < 0
+        either, both = below[:, :-1] | below[:, 1:], below[:, :-1] & below[:, 1:]
+        j, i = np.nonzero((either[:-1] | either[1:]) & ~(both[:-1] & both[1:]))
         corners = np.stack([each[j, i] for each in (a, b, c, d)], axis=1)
         places = np.array([[0.5, 0.5], [1.5, 0.5], [1.5, 1.5], [0.5, 1.5]])
         following = np.roll(corners, -1, axis=1)
@@ -71,16 +72,23 @@ class Outline:
         number = np.arange(len(x))
         index[0, y[::-1], x[::-1]] = number[::-1]
         index[1, y, x] = number
-        reach = np.arange(-REACH_PX, REACH_PX + 1)
-        px, py = np.floor(points - 0.5).astype(np.intp).T
-        columns = np.clip(px[:, np.newaxis, np.newaxis] - low[0] + reach, 0, size[0] - 1)
-        rows = np.clip(py[:, np.newaxis, np.newaxis] - low[1] + reach[:, np.newaxis], 0, size[1] - 1)
-        near = index[:, rows, columns].transpose(1, 0, 2, 3).reshape(len(points), -1)
-        away = _distance(points[:, np.newaxis], self.segments[near])
-        best: Array = np.where(near >= 0, away, np.inf).min(axis=1)
+        best = self._near(points, index, low, NEAR_PX)
+        # Most lie so near that no cell further off can hold what is nearer.
+        further = np.nonzero(best > NEAR_PX - 1)[0]
+        best[further] = self._near(points[further], index, low, REACH_PX)
         for far in np.nonzero(best > REACH_PX - 1)[0]:
             best[far] = _distance(points[far], self.segments).min()
         return best
+
+    def _near(self, points: Array, index: NDArray[np.intp], low: NDArray[np.intp], reach_px: int) -> Array:
+        """Return how far points lie from the segments of the cells within a reach, of which the index has numbers."""
+        reach = np.arange(-reach_px, reach_px + 1)
+        px, py = np.floor(points - 0.5).astype(np.intp).T
+        columns = np.clip(px[:, np.newaxis, np.newaxis] - low[0] + reach, 0, index.shape[2] - 1)
+        rows = np.clip(py[:, np.newaxis, np.newaxis] - low[1] + reach[:, np.newaxis], 0, index.shape[1] - 1)
+        near = index[:, rows, columns].transpose(1, 0, 2, 3).reshape(len(points), 2 * len(reach) ** 2)
+        away = _distance(points[:, np.newaxis], self.segments[near])
+        return np.asarray(np.where(near >= 0, away, np.inf).min(axis=1))
 
 
 def _distance(points: Array, segments: Array) -> Array:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kagezou.geometry.light import GRAZING_DARK_DEG, GRAZING_FULL_DEG
 from kagezou.geometry.vectors import Vector4
 from kagezou.scene.scene import Received, ShadowCast
+from tests.render.reference.rims import span_around
 
 Array = NDArray[np.float64]
 
@@ -121,7 +122,7 @@ def coverage(cast: ShadowCast, art: Art, hint: Array, rays: int = 160, before: A
 
     y, x = np.mgrid[top:bottom, left:right].astype(np.float64)
     coarse = shade(cast, art, x + 0.5, y + 0.5)
-    fine = _near_an_edge(coarse) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
+    fine = (span_around(coarse, 1) > 1e-6) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
     px, py = x[fine], y[fine]
     coarse[fine] = sum(shade(cast, art, px + dx, py + dy) for dx, dy in spread(rays)) / rays
     result[top:bottom, left:right] = coarse
@@ -135,14 +136,6 @@ def refined(shading: Callable[[Array, Array], Array], hint: Array, rays: int, be
     result = before.copy()
     result[doubted] = sum(shading(x + dx, y + dy) for dx, dy in spread(rays)) / rays
     return result
-
-
-def _near_an_edge(shade: Array) -> NDArray[np.bool_]:
-    """Return which pixels (H, W) differ from any of their eight neighbours."""
-    height, width = shade.shape
-    rim = np.pad(shade, 1, mode="edge")
-    around = np.stack([rim[j : j + height, i : i + width] for j in range(3) for i in range(3)])
-    return np.asarray(around.max(axis=0) - around.min(axis=0) > 1e-6)
 
 
 def spread(count: int) -> Array:
@@ -200,7 +193,7 @@ def received(
     height, width = alpha.shape
     y, x = np.mgrid[0:height, 0:width].astype(np.float64)
     part = received_at(found, caster, arts, x + 0.5, y + 0.5)
-    fine = (_near_an_edge(part) | (np.abs(part * alpha - hint) > 1e-3)) & (alpha > 0)
+    fine = ((span_around(part, 1) > 1e-6) | (np.abs(part * alpha - hint) > 1e-3)) & (alpha > 0)
     px, py = x[fine], y[fine]
     part[fine] = sum(received_at(found, caster, arts, px + dx, py + dy) for dx, dy in spread(rays)) / rays
     return part * alpha

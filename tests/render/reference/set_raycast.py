@@ -15,6 +15,7 @@ from kagezou.geometry.vectors import Vector4
 from kagezou.scene.pieces import PieceScene
 from kagezou.scene.scene import ShadowCast
 from tests.render.reference import raycast
+from tests.render.reference.rims import span_around
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -220,9 +221,7 @@ def coverage(
     assert not shading(x[beyond], y[beyond]).any(), "there is shadow far from where it was drawn"
     y, x = np.mgrid[top:bottom, left:right].astype(np.float64)
     coarse = shading(x.ravel() + 0.5, y.ravel() + 0.5).reshape(x.shape)
-    rim = np.pad(coarse, 1, mode="edge")
-    around = np.stack([rim[j : j + coarse.shape[0], i : i + coarse.shape[1]] for j in range(3) for i in range(3)])
-    fine = (around.max(axis=0) - around.min(axis=0) > 1e-6) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
+    fine = (span_around(coarse, 1) > 1e-6) | (np.abs(coarse - hint[top:bottom, left:right]) > 1e-3)
     px, py = x[fine], y[fine]
     coarse[fine] = sum(shading(px + dx, py + dy) for dx, dy in raycast.spread(rays)) / rays
     result = np.zeros_like(hint)

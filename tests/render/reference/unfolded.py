@@ -12,6 +12,7 @@ from kagezou.scene.scene import ShadowCast
 from tests.render.reference import raycast, set_raycast
 from tests.render.reference.blurred import ContactLine, Squares, blurred, level_of
 from tests.render.reference.raycast import Array, Art
+from tests.render.reference.rims import span_around
 
 SAMPLES_A_SIDE = 6
 
@@ -79,9 +80,7 @@ class FoldedGround:
         left, top, right, bottom = box
         y, x = np.mgrid[top:bottom, left:right].astype(np.float64)
         result = self._over(field, level, x.ravel() + 0.5, y.ravel() + 0.5).reshape(x.shape)
-        rim = np.pad(result, 1, mode="edge")
-        around = np.stack([rim[j : j + len(x), i : i + x.shape[1]] for j in range(3) for i in range(3)])
-        near = around.max(axis=0) != around.min(axis=0)
+        near = span_around(result, 1) > 0
         part = np.zeros(int(near.sum()))
         for dx in (np.arange(SAMPLES_A_SIDE) + 0.5) / SAMPLES_A_SIDE:
             for dy in (np.arange(SAMPLES_A_SIDE) + 0.5) / SAMPLES_A_SIDE:

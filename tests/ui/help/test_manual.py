@@ -47,22 +47,20 @@ def test_every_row_of_the_inspector_is_explained(walking: MainWindow, english: L
         assert manual.pages.marked.startswith(term), row.address.property.name
 
 
-@pytest.mark.parametrize(
-    ("find", "page"),
-    [
-        (lambda window: window.parts.panels.layers.view, "layers"),
-        (lambda window: window.parts.sets.pieces, "sets"),
-        (lambda window: window.parts.panels.styles.list, "styles"),
-        (lambda window: window.parts.time.timeline.lanes, "timeline"),
-        (lambda window: window.parts.curves.made().graph, "curves"),
-        (lambda window: window.parts.time.transport, "timeline"),
-        (lambda window: window.parts.viewport, "words"),
-        (lambda window: window.parts.welcome, "first-cut"),
-        (lambda window: window.statusBar(), "index"),
-    ],
-)
-def test_every_panel_has_its_page(walking: MainWindow, find: Callable[[MainWindow], QWidget], page: str) -> None:
-    assert walking.help.place_of(find(walking)) == (page, "")
+def test_every_panel_has_its_page(walking: MainWindow) -> None:
+    parts = walking.parts
+    pages: list[tuple[QWidget, str]] = [
+        (parts.panels.layers.view, "layers"),
+        (parts.sets.pieces, "sets"),
+        (parts.panels.styles.list, "styles"),
+        (parts.time.timeline.lanes, "timeline"),
+        (parts.curves.made().graph, "curves"),
+        (parts.time.transport, "timeline"),
+        (parts.viewport, "words"),
+        (parts.welcome, "first-cut"),
+        (walking.statusBar(), "index"),
+    ]
+    assert [walking.help.place_of(widget) for widget, _ in pages] == [(page, "") for _, page in pages]
 
 
 def test_a_handle_is_explained_as_its_property(walking: MainWindow) -> None:

@@ -6,10 +6,11 @@ from PySide6.QtWidgets import QApplication
 
 _ALT = Qt.KeyboardModifier.AltModifier
 _KEYS = (QEvent.Type.KeyPress, QEvent.Type.KeyRelease, QEvent.Type.ShortcutOverride)
-_POINTING = frozenset({
+_POINTING = (
     QEvent.Type.MouseButtonPress, QEvent.Type.MouseMove, QEvent.Type.MouseButtonRelease,
     QEvent.Type.TabletPress, QEvent.Type.TabletMove, QEvent.Type.TabletRelease,
-})  # fmt: skip
+)  # fmt: skip
+_WATCHED = (*_KEYS, *_POINTING, QEvent.Type.TabletLeaveProximity, QEvent.Type.WindowDeactivate)
 
 
 class AltKey(QObject):
@@ -36,6 +37,9 @@ class AltKey(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
+        # Every event of the whole program comes by: thousands where a window is built.
+        if kind not in _WATCHED:
+            return False
         if kind is QEvent.Type.TabletLeaveProximity:
             self.pen_left.emit()
         if kind is QEvent.Type.WindowDeactivate:
@@ -45,7 +49,7 @@ class AltKey(QObject):
             return self._take(event)
         if kind in _POINTING and self.is_held and isinstance(event, QSinglePointEvent):
             event.setModifiers(event.modifiers() | _ALT)
-        return super().eventFilter(watched, event)
+        return False
 
     def _take(self, event: QKeyEvent) -> bool:
         """Take note of the key, and keep it from everyone else while the hand drags."""
