@@ -6,7 +6,7 @@
 #include "common/samples.glsl"
 
 uniform sampler2D u_map;               // how far the nearest triangle is from the light, and which, counted from 1
-uniform int u_map_side;                // texels, each way
+uniform vec2 u_map_size;               // texels
 uniform mat3 u_map_axes;               // rows: across, up, away from the light
 uniform vec4 u_map_window;             // centre and half size of what the map shows; for a lamp in parts of the distance
 uniform vec4 u_map_light;              // homogeneous
@@ -23,7 +23,7 @@ vec3 in_light(vec3 place) {
 
 vec2 texel_of(vec3 seen) {
     vec2 flat_place = u_map_light.w == 0.0 ? seen.xy : seen.xy / max(seen.z, 1e-6);
-    return ((flat_place - u_map_window.xy) / u_map_window.zw * 0.5 + 0.5) * float(u_map_side);
+    return ((flat_place - u_map_window.xy) / u_map_window.zw * 0.5 + 0.5) * u_map_size;
 }
 
 // A surface as the light sees it: its plane, positive toward the light.
@@ -37,9 +37,9 @@ vec4 toward_light(vec3 normal, vec3 seen) {
 // the place: from there and from the light its front is seen alike, as where a surface bends upward.
 vec2 over_surface(vec2 texel, vec4 surface, vec3 place) {
     vec2 corner = floor(texel);
-    bool inside = all(greaterThanEqual(corner, vec2(0.0))) && all(lessThan(corner, vec2(float(u_map_side))));
+    bool inside = all(greaterThanEqual(corner, vec2(0.0))) && all(lessThan(corner, u_map_size));
     vec2 found = inside ? texelFetch(u_map, ivec2(corner), 0).rg : vec2(0.0);
-    vec2 across = ((corner + 0.5) / float(u_map_side) * 2.0 - 1.0) * u_map_window.zw + u_map_window.xy;
+    vec2 across = ((corner + 0.5) / u_map_size * 2.0 - 1.0) * u_map_window.zw + u_map_window.xy;
     vec3 seen = vec3(u_map_light.w == 0.0 ? across : across * found.x, found.x);
     vec4 plane = triangle_part(max(int(found.y), 1), 3);
     float before = (dot(plane.xyz, place) + plane.w) * sign(dot(plane, u_map_light));
@@ -65,14 +65,15 @@ bool stands_between(vec3 place, vec3 normal, int triangle) {
         && way * abs(dot(normal, toward)) > LIFT_PX;
 }
 
-bool is_dark(vec3 place, vec3 normal) {
-    vec3 seen = in_light(place);
-    vec4 surface = toward_light(normal, seen);
-    vec2 texel = texel_of(seen);
-    float least = 1e9;
+// Loops are what a software rasteriser leaves early: nothing of it is done where it is not asked.
+bool is_dark(vec3 place, vec3 normal, bool asked) {
+    float least = asked ? 1e9 : -1e9;
     bool dark = false;
-    for (int index = 0; index < 4; ++index) {
-        vec2 found = over_surface(texel + vec2(float(index & 1), float(index >> 1)) - 0.5, surface, place);
+    for (int index = asked ? 0 : 4; index < 4; ++index) {
+        vec3 seen = in_light(place);
+        vec4 surface = toward_light(normal, seen);
+        vec2 texel = texel_of(seen) + vec2(float(index & 1), float(index >> 1)) - 0.5;
+        vec2 found = over_surface(texel, surface, place);
         least = min(least, found.x);
         if (found.x > -HIGH_PX) {
             dark = dark || stands_between(place, normal, int(found.y));
@@ -111,7 +112,7 @@ float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side, int samples
         vec2 offset = (vec2(float(index % side), float(index / side)) + 0.5) / float(side) - 0.5;
         offset = side == FINE ? sample_offset(index) : offset;
         if ((samples & (1 << index)) != 0) {
-            sum += is_dark(place + cell_world * offset, normal) ? 0.0 : 1.0;
+            sum += is_dark(place + cell_world * offset, normal, true) ? 0.0 : 1.0;
             counted += 1.0;
         }
     }
