@@ -6,13 +6,15 @@ from typing import Final
 
 import numpy as np
 
+from kagezou.geometry.box import Box
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import box_polygon
 from kagezou.geometry.vectors import Matrix, Vector4
+from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.program import Variants
 from kagezou.render.gpu.targets import DeepTarget, Format
 from kagezou.render.meshes.eye_view import MAP_UNIT, TRIANGLES_UNIT, MeshView
-from kagezou.render.prepare.light_windows import LightCone, LightWindow
+from kagezou.render.prepare.light_windows import LightCone, LightWindows
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.pieces import PieceScene
 
@@ -23,32 +25,47 @@ _LARGEST_PX: Final = 2048
 _KEPT_MAPS = 4
 """As many as an overhead light has lamps."""
 
+_NOTHING = (0.0, 0.0, 1.0, 1.0)
+"""The window of a face that has none."""
+
 _MARGIN = 0.0625
 """So much wider than a character is the first map of a light, so that it may turn and step a little."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LightMap:
-    """A window and what is seen in it."""
+    """Windows, and what is seen in them.
 
-    window: LightWindow
+    Parameters
+    ----------
+    windows
+        One, or those on the faces of a cube.
+    boxes
+        Where each lies in the target.
+    target
+        What is seen.
+    """
+
+    windows: LightWindows
+    boxes: tuple[Box, ...]
     target: DeepTarget
 
     @property
     def switches(self) -> frozenset[str]:
         """The switches of ``meshes/light.glsl``."""
-        return frozenset({"MESHES"})
+        return frozenset({"MESHES", "ALL_AROUND"} if len(self.boxes) > 1 else {"MESHES"})
 
     def uniforms(self, origin: Matrix) -> dict[str, Uniform]:
         """Return what ``meshes/light.glsl`` wants, for places around a point (3,) told around the meshes' origin."""
-        window = self.window
+        axes = self.windows.axes
+        windows = [_NOTHING if each is None else (*each.centre, *each.half) for each in self.windows.faces]
         return {
             "u_map": MAP_UNIT,
             "u_triangles": TRIANGLES_UNIT,
-            "u_map_size": self.target.size_px,
-            "u_map_axes": window.axes.rows,
-            "u_map_window": np.concatenate([window.centre, window.half]),
-            "u_map_light": window.axes.light,
+            "u_map_axes": axes.rows,
+            "u_map_windows": np.array(windows),
+            "u_map_boxes": np.array([(each.left, each.top, each.width, each.height) for each in self.boxes]),
+            "u_map_light": axes.light,
             "u_map_shift": origin,
         }
 
@@ -195,14 +212,16 @@ class LightMaps:
         is_for_all: bool,
     ) -> _Kept:
         """Draw the map of a light, for a cone or for everything."""
-        window = None
+        windows = None
         if any(what[2]):
             receivers = _with(view.blocks[:, :3], what[1].hull(view))
-            lamp = view.local(np.array(what[0]))
-            window = _window(lamp, None if is_for_all else first, receivers, view.on_gpu.hulls_of(taken.by))
+            asked = None if is_for_all else first
+            windows = LightWindows.of(view.local(np.array(what[0])), asked, receivers, view.on_gpu.hulls_of(taken.by))
         found = None
-        if window is not None:
-            found = LightMap(window, self._free_target(view, window))
+        if windows is not None:
+            most = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
+            boxes = windows.boxes(most)
+            found = LightMap(windows, boxes, self._free_target(view, boxes))
             self._draw(view, found, taken.by)
         return _Kept(view, what, first, found, is_for_all)
 
@@ -210,14 +229,13 @@ class LightMaps:
         if kept.found is not None:
             self._spare.append(kept.found.target)
 
-    def _free_target(self, view: MeshView, window: LightWindow) -> DeepTarget:
-        """Return a target to draw in; maps of other views and the least lately used go for it."""
+    def _free_target(self, view: MeshView, boxes: tuple[Box, ...]) -> DeepTarget:
+        """Return a target that holds boxes; maps of other views and the least lately used go for it."""
         for kept in [each for each in self._kept if each.view is not view] + self._kept[: 1 - _KEPT_MAPS]:
             if kept in self._kept:
                 self._kept.remove(kept)
                 self._let_go(kept)
-        most = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
-        width, height = window.size_texels(most)
+        width, height = boxes[-1].right, max(each.bottom for each in boxes)
         while self._spare:
             target = self._spare.pop()
             if (target.box.width, target.box.height) == (width, height):
@@ -227,18 +245,15 @@ class LightMaps:
 
     def _draw(self, view: MeshView, light_map: LightMap, wanted: Callable[[PieceScene], bool]) -> None:
         light_map.target.begin()
-        rows, away = light_map.window.clip_rows()
         program = self._programs[frozenset({"AWAY"})]
-        program.use({"u_clip_rows": rows, "u_away": away})
-        view.on_gpu.draw(program, wanted, rows)
+        for window, box in zip(light_map.windows.faces, light_map.boxes, strict=True):
+            if window is not None:
+                for place in (GL.glViewport, GL.glScissor):
+                    place(box.left, box.top, box.width, box.height)
+                rows, away = window.clip_rows()
+                program.use({"u_clip_rows": rows, "u_away": away})
+                view.on_gpu.draw(program, wanted, rows)
         self.maps_drawn += 1
-
-
-def _window(lamp: Matrix, asked: LightCone | None, receivers: Matrix | None, casters: Matrix) -> LightWindow | None:
-    """Return the window that holds what casters throw on receivers, of what is asked about or of everything."""
-    about = casters if receivers is None or receivers.shape[2] == 0 else receivers
-    cone = asked or LightCone.around(lamp, about) or LightCone.widest(lamp, about)
-    return LightWindow.fitted(cone, receivers, casters)
 
 
 def _with(receivers: Matrix, others: Matrix | None) -> Matrix | None:

@@ -99,7 +99,7 @@ class Screen:
         w = seen[:, 3]
         is_bounded = (w > 1e-9 * np.abs(w).max()).all(axis=0)
         points = seen[:, :3] / np.where(w > 0, w, 1.0)[:, np.newaxis]
-        return np.asarray(~is_bounded | self.light_map.window.may_hold(points))
+        return np.asarray(~is_bounded | self.light_map.windows.may_hold(points))
 
     def _local_lift(self, face: Face) -> Matrix:
         lift = face.flat.lift.copy()
