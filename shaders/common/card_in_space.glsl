@@ -34,20 +34,23 @@ float within_limits(vec4 place, mat2x3 cell_world) {
     return cell_coverage(nearest, direction);
 }
 
-float cast_coverage(vec4 place, mat2x3 cell_world) {
-    vec3 h = projected(place);
+// How much of a cell alpha casts. h: its homogeneous place on the matte, step_x and step_y: how far its sides go there.
+float alpha_coverage(vec3 h, vec3 step_x, vec3 step_y) {
     if (h.z <= 0.0) {
         return 0.0;
     }
     vec2 texel = h.xy / h.z;
     vec3 alpha = alpha_and_slope(clamp(texel, vec2(-1e6), vec2(1e6)));
 #ifdef TRANSLUCENT
-    float covered = alpha.x;
+    return alpha.x;
 #else
-    vec3 step_x = projected(vec4(cell_world[0], 0.0)), step_y = projected(vec4(cell_world[1], 0.0));
     vec2 slope = vec2(dot(alpha.yz, (step_x.xy - texel * step_x.z) / h.z),
                       dot(alpha.yz, (step_y.xy - texel * step_y.z) / h.z));
-    float covered = cell_coverage(alpha.x - 0.5, slope);
+    return cell_coverage(alpha.x - 0.5, slope);
 #endif
-    return covered * within_limits(place, cell_world);
+}
+
+float cast_coverage(vec4 place, mat2x3 cell_world) {
+    vec3 step_x = projected(vec4(cell_world[0], 0.0)), step_y = projected(vec4(cell_world[1], 0.0));
+    return alpha_coverage(projected(place), step_x, step_y) * within_limits(place, cell_world);
 }

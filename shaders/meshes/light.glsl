@@ -1,14 +1,21 @@
 // How much of a cell the meshes leave lit. The light's map tells which triangles may stand between; whether one does is
 // asked of itself, so that edges lie where they are, no surface darkens itself and no gap is left at a contact. Only
-// where triangles are smaller than the map's texels the texels decide.
+// where triangles are smaller than the map's texels the texels decide. Switches:
+//   ALL_AROUND   the lamp stands among what it lights: its map is a cube of six faces
 
 #include "meshes/triangles.glsl"
 #include "common/samples.glsl"
 
+#ifdef ALL_AROUND
+const int FACES = 6;                   // of a cube around the lamp: away, back, right, left, up, down
+#else
+const int FACES = 1;
+#endif
+
 uniform sampler2D u_map;               // how far the nearest triangle is from the light, and which, counted from 1
-uniform int u_map_side;                // texels, each way
 uniform mat3 u_map_axes;               // rows: across, up, away from the light
-uniform vec4 u_map_window;             // centre and half size of what the map shows; for a lamp in parts of the distance
+uniform vec4 u_map_windows[FACES];     // centre and half size of what a face shows; for a lamp in parts of the distance
+uniform vec4 u_map_boxes[FACES];       // its first texel in the map and how many it has; 0 for none
 uniform vec4 u_map_light;              // homogeneous
 uniform vec3 u_map_shift;              // from the places asked about to those of the triangles
 
@@ -21,9 +28,46 @@ vec3 in_light(vec3 place) {
     return u_map_axes * (place - u_map_light.xyz * u_map_light.w);
 }
 
-vec2 texel_of(vec3 seen) {
-    vec2 flat_place = u_map_light.w == 0.0 ? seen.xy : seen.xy / max(seen.z, 1e-6);
-    return ((flat_place - u_map_window.xy) / u_map_window.zw * 0.5 + 0.5) * float(u_map_side);
+#ifdef ALL_AROUND
+int face_of(vec3 seen) {
+    vec3 reach = abs(seen);
+    int axis = reach.z >= max(reach.x, reach.y) ? 0 : reach.x >= reach.y ? 1 : 2;
+    float away = axis == 0 ? seen.z : axis == 1 ? seen.x : seen.y;
+    return 2 * axis + (away < 0.0 ? 1 : 0);
+}
+
+// A place as a face has it: across, up, away.
+vec3 on_face(int face, vec3 seen) {
+    vec3 turned = face < 2 ? seen : face < 4 ? seen.yzx : seen.zxy;
+    return vec3(turned.xy, (face & 1) == 0 ? turned.z : -turned.z);
+}
+
+vec3 from_face(int face, vec3 own) {
+    own.z = (face & 1) == 0 ? own.z : -own.z;
+    return face < 2 ? own : face < 4 ? own.zxy : own.yzx;
+}
+#else
+int face_of(vec3 seen) {
+    return 0;
+}
+
+vec3 on_face(int face, vec3 seen) {
+    return seen;
+}
+
+vec3 from_face(int face, vec3 own) {
+    return own;
+}
+#endif
+
+// Where on a face a place is seen.
+vec2 flat_on(int face, vec3 seen) {
+    vec3 own = on_face(face, seen);
+    return u_map_light.w == 0.0 ? own.xy : own.xy / max(own.z, 1e-6);
+}
+
+vec2 texel_on(int face) {
+    return 2.0 * u_map_windows[face].zw / max(u_map_boxes[face].zw, vec2(1.0));
 }
 
 // A surface as the light sees it: its plane, positive toward the light.
@@ -34,13 +78,20 @@ vec4 toward_light(vec3 normal, vec3 seen) {
 }
 
 // How high over a surface the triangle lies that the map holds, and its number. It is far below where it cannot shade
-// the place: from there and from the light its front is seen alike, as where a surface bends upward.
-vec2 over_surface(vec2 texel, vec4 surface, vec3 place) {
-    vec2 corner = floor(texel);
-    bool inside = all(greaterThanEqual(corner, vec2(0.0))) && all(lessThan(corner, vec2(float(u_map_side))));
-    vec2 found = inside ? texelFetch(u_map, ivec2(corner), 0).rg : vec2(0.0);
-    vec2 across = ((corner + 0.5) / float(u_map_side) * 2.0 - 1.0) * u_map_window.zw + u_map_window.xy;
-    vec3 seen = vec3(u_map_light.w == 0.0 ? across : across * found.x, found.x);
+// the place: from there and from the light its front is seen alike, as where a surface bends upward. What is asked about
+// beyond the rim of a face of the cube is found on the next one, so that there is no seam.
+vec2 over_surface(int face, vec2 asked, vec4 surface, vec3 place) {
+#ifdef ALL_AROUND
+    vec3 toward = from_face(face, vec3(asked, 1.0));
+    face = face_of(toward);
+    asked = flat_on(face, toward);
+#endif
+    vec4 window = u_map_windows[face], box = u_map_boxes[face];
+    vec2 corner = floor(((asked - window.xy) / window.zw * 0.5 + 0.5) * box.zw);
+    bool inside = all(greaterThanEqual(corner, vec2(0.0))) && all(lessThan(corner, box.zw));
+    vec2 found = inside ? texelFetch(u_map, ivec2(box.xy + corner), 0).rg : vec2(0.0);
+    vec2 across = (corner + 0.5) * texel_on(face) - window.zw + window.xy;
+    vec3 seen = from_face(face, vec3(u_map_light.w == 0.0 ? across : across * found.x, found.x));
     vec4 plane = triangle_part(max(int(found.y), 1), 3);
     float before = (dot(plane.xyz, place) + plane.w) * sign(dot(plane, u_map_light));
     bool may_shade = found.y > 0.0 && before < -LIFT_PX;
@@ -65,14 +116,16 @@ bool stands_between(vec3 place, vec3 normal, int triangle) {
         && way * abs(dot(normal, toward)) > LIFT_PX;
 }
 
-bool is_dark(vec3 place, vec3 normal) {
-    vec3 seen = in_light(place);
-    vec4 surface = toward_light(normal, seen);
-    vec2 texel = texel_of(seen);
-    float least = 1e9;
+// Loops are what a software rasteriser leaves early: nothing of it is done where it is not asked.
+bool is_dark(vec3 place, vec3 normal, bool asked) {
+    float least = asked ? 1e9 : -1e9;
     bool dark = false;
-    for (int index = 0; index < 4; ++index) {
-        vec2 found = over_surface(texel + vec2(float(index & 1), float(index >> 1)) - 0.5, surface, place);
+    for (int index = asked ? 0 : 4; index < 4; ++index) {
+        vec3 seen = in_light(place);
+        vec4 surface = toward_light(normal, seen);
+        int face = face_of(seen);
+        vec2 beside = vec2(float(index & 1), float(index >> 1)) - 0.5;
+        vec2 found = over_surface(face, flat_on(face, seen) + beside * texel_on(face), surface, place);
         least = min(least, found.x);
         if (found.x > -HIGH_PX) {
             dark = dark || stands_between(place, normal, int(found.y));
@@ -85,18 +138,20 @@ bool is_dark(vec3 place, vec3 normal) {
 int light_state(vec3 place, vec3 normal, mat2x3 cell_world) {
     vec3 seen = in_light(place);
     vec4 surface = toward_light(normal, seen);
-    vec2 texel = texel_of(seen);
-    vec2 reach = abs(texel_of(in_light(place + cell_world[0])) - texel)
-               + abs(texel_of(in_light(place + cell_world[1])) - texel);
-    reach = clamp(0.5 * reach, vec2(0.5), vec2(64.0));
+    int face = face_of(seen);
+    vec2 middle = flat_on(face, seen), texel = texel_on(face);
+    vec2 reach = abs(flat_on(face, in_light(place + cell_world[0])) - middle)
+               + abs(flat_on(face, in_light(place + cell_world[1])) - middle);
+    // So far that the middles of the texels found there lie around the cell.
+    reach = min(0.5 * reach, 64.0 * texel) + 0.5 * texel;
     float least = 1e9, most = -1e9;
     for (int index = 0; index < 4; ++index) {
         vec2 corner = vec2(float(index & 1), float(index >> 1)) * 2.0 - 1.0;
-        float height = over_surface(texel + corner * reach, surface, place).x;
+        float height = over_surface(face, middle + corner * reach, surface, place).x;
         least = min(least, height);
         most = max(most, height);
     }
-    bool before = u_map_light.w == 0.0 || seen.z > 0.0;
+    bool before = FACES > 1 || u_map_light.w == 0.0 || seen.z > 0.0;
     return !before || most < LIFT_PX ? LIT : least > HIGH_PX ? DARK : EDGE;
 }
 
@@ -111,7 +166,7 @@ float mesh_lit(vec3 place, vec3 normal, mat2x3 cell_world, int side, int samples
         vec2 offset = (vec2(float(index % side), float(index / side)) + 0.5) / float(side) - 0.5;
         offset = side == FINE ? sample_offset(index) : offset;
         if ((samples & (1 << index)) != 0) {
-            sum += is_dark(place + cell_world * offset, normal) ? 0.0 : 1.0;
+            sum += is_dark(place + cell_world * offset, normal, true) ? 0.0 : 1.0;
             counted += 1.0;
         }
     }

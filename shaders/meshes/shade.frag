@@ -24,16 +24,21 @@ out float o_coverage;
 
 const int RECEIVES = 1, CASTS = 2;
 
+// How strong a shadow is: where the light stands low over a surface there is none.
+float strength_at(vec3 normal, vec3 here) {
+    vec3 toward = u_light.xyz - u_light.w * here;
+    vec3 to_eye = u_eye.xyz - u_eye.w * here;
+    float sine = dot(normal, toward) * sign(dot(normal, to_eye)) / length(toward);
+    return smoothstep(u_grazing_sine.x, u_grazing_sine.y, sine);
+}
+
 // state: what is known of the meshes' light in the whole pixel.
 float part_shade(int triangle, vec4 plane, vec2 pixel, vec2 cell, int state) {
     vec3 here = met(plane, pixel);
     mat2x3 cell_world = pixel_on(plane, pixel);
     cell_world = mat2x3(cell_world[0] * cell.x, cell_world[1] * cell.y);
     vec4 place = vec4(here, 1.0);
-    vec3 toward = u_light.xyz - u_light.w * here;
-    vec3 to_eye = u_eye.xyz - u_eye.w * here;
-    float sine = dot(plane.xyz, toward) * sign(dot(plane.xyz, to_eye)) / length(toward);
-    float strength = smoothstep(u_grazing_sine.x, u_grazing_sine.y, sine);
+    float strength = strength_at(plane.xyz, here);
     int flags = int(triangle_part(triangle, 0).w);
     vec2 left = seen_and_lit(place, cell_world);
     left.x *= dot(u_ground, place) > -TIE_PX ? 1.0 : 0.0;
@@ -48,10 +53,8 @@ float part_shade(int triangle, vec4 plane, vec2 pixel, vec2 cell, int state) {
 #endif
     float lit = 1.0;
 #ifdef MESHES
-    lit = state == LIT ? 1.0 : 0.0;
-    if (wanted > 0.0 && state == EDGE) {
-        lit = is_dark(here, plane.xyz) ? 0.0 : 1.0;
-    }
+    bool at_edge = wanted > 0.0 && state == EDGE;
+    lit = is_dark(here, plane.xyz, at_edge) || state == DARK ? 0.0 : 1.0;
 #endif
 #ifdef OWN_SHADOW
     return casts ? left.x * (1.0 - strength * left.y * lit) : wanted * (1.0 - left.y * lit);
@@ -60,18 +63,35 @@ float part_shade(int triangle, vec4 plane, vec2 pixel, vec2 cell, int state) {
 #endif
 }
 
+#if !defined(OWN_SHADOW) && !defined(FULL)
+// On the matte, as places_on has it: how far one px goes in x, in y, and the place at the pixel.
+mat3 on_matte(mat3x4 places) {
+    return mat3(projected(places[0]), projected(places[1]), projected(places[2]));
+}
+
 // Into how many cells each way a pixel is split: about one a texel of the drawing.
-ivec2 cells_of(vec4 plane, vec2 pixel) {
-#if defined(OWN_SHADOW) || defined(FULL)
-    return ivec2(1);
-#else
-    mat2x3 step_world = pixel_on(plane, pixel);
-    vec3 h = projected(vec4(met(plane, pixel), 1.0));
-    vec2 texel = h.xy / h.z;
-    vec3 step_x = projected(vec4(step_world[0], 0.0)), step_y = projected(vec4(step_world[1], 0.0));
-    vec2 stretch = vec2(length(step_x.xy - texel * step_x.z), length(step_y.xy - texel * step_y.z)) / abs(h.z);
-    return ivec2(clamp(ceil(stretch * 1.25), vec2(1.0), vec2(float(FINE))));
+ivec2 cells_of(mat3 matte) {
+    vec2 texel = matte[2].xy / matte[2].z;
+    vec2 stretch = vec2(length(matte[0].xy - texel * matte[0].z), length(matte[1].xy - texel * matte[1].z));
+    return ivec2(clamp(ceil(stretch / abs(matte[2].z) * 1.25), vec2(1.0), vec2(float(FINE))));
+}
+
+// Whether all of a pixel lies within the limits of the card.
+bool is_within(vec4 place, mat2x3 pixel_world) {
+    float room = 1.0;
+    for (int index = 0; index < LIMITS; ++index) {
+        vec2 slope = abs(u_limits[index].xyz * pixel_world);
+        room = min(room, dot(u_limits[index], place) - 0.5 * (slope.x + slope.y));
+    }
+    return room > 0.0;
+}
 #endif
+
+// Where the middle of a cell lies in its pixel.
+vec2 cell_middle(int index, ivec2 cells, vec2 cell) {
+    // Whole numbers are divided one after the other, others side by side.
+    float row = floor((float(index) + 0.5) * cell.x);
+    return (vec2(float(index) - row * float(cells.x), row) + 0.5) * cell - 0.5;
 }
 
 void main() {
@@ -79,32 +99,60 @@ void main() {
     uvec4 record = texelFetch(u_pixels, ivec2(gl_FragCoord.xy), 0);
     int first = part_triangle(record, 0);
     vec4 plane = plane_of(max(first, 1));
+    mat3x4 places = places_on(plane, pixel);
+    vec3 middle = places[2].xyz;
+    mat2x3 pixel_world = pixel_over(places);
     bool alone = part_mask(record, 0) == WHOLE;
-    float height = dot(u_ground, vec4(met(plane, pixel), 1.0)) + TIE_PX;
-    vec2 slope = abs(u_ground.xyz * pixel_on(plane, pixel));
+    float height = dot(u_ground, places[2]) + TIE_PX;
+    vec2 slope = abs(u_ground.xyz * pixel_world);
     // Where the ground comes through, samples add up with those of the ground (meshes/past.frag).
     bool finely = abs(height) < 0.5 * (slope.x + slope.y);
-    int state = 0;
+    int state = LIT;
 #ifdef MESHES
-    state = alone ? light_state(met(plane, pixel), plane.xyz, pixel_on(plane, pixel)) : EDGE;
+    state = light_state(middle, plane.xyz, pixel_world);
     finely = finely || (alone && state == EDGE);
 #endif
-    ivec2 cells = finely ? ivec2(FINE) : alone ? cells_of(plane, pixel) : ivec2(PARTS, 1);
-    int count = first == 0 ? 0 : cells.x * cells.y;
+    float sum = 0.0;
+    ivec2 cells = ivec2(1);
+    bool evenly = false;
+#ifndef OWN_SHADOW
+    // Mostly one surface is seen, and nothing but the card's edge differs within the pixel.
+    evenly = alone && !finely && height > 0.0 && u_region_count == 0;
+#ifdef FULL
+    sum = 1.0;
+#else
+    mat3 matte = on_matte(places);
+    cells = cells_of(matte);
+    evenly = evenly && is_within(places[2], pixel_world);
+    vec2 share = 1.0 / vec2(cells);
+    int even_count = evenly ? cells.x * cells.y : 0;
+    for (int index = 0; index < even_count; ++index) {
+        vec2 offset = cell_middle(index, cells, share);
+        sum += alpha_coverage(matte[2] + matte[0] * offset.x + matte[1] * offset.y,
+                              matte[0] * share.x, matte[1] * share.y) * share.x * share.y;
+    }
+#endif
+    bool receives = (int(triangle_part(max(first, 1), 0).w) & RECEIVES) != 0;
+    sum = evenly && receives && state == LIT ? sum * strength_at(plane.xyz, middle) : 0.0;
+#endif
+    int parts = part_mask(record, 1) == 0 ? 1 : part_mask(record, 2) == 0 ? 2 : PARTS;
+    cells = finely ? ivec2(FINE) : alone ? cells : ivec2(parts, 1);
     bool in_parts = !finely && !alone;
     vec2 cell = in_parts ? vec2(1.0) : 1.0 / vec2(cells);
-    float sum = 0.0;
+    int count = evenly ? 0 : cells.x * cells.y;
     for (int index = 0; index < count; ++index) {
         int part = in_parts ? index : alone ? 0 : part_with(record, 1 << index);
         int mask = part < PARTS ? part_mask(record, part) : 0;
         if (mask != 0) {
             int triangle = part_triangle(record, part);
             vec4 own = alone ? plane : plane_of(triangle);
-            vec2 offset = (vec2(float(index % cells.x), float(index / cells.x)) + 0.5) * cell - 0.5;
-            offset = in_parts ? sample_offset(first_of(mask)) : finely ? sample_offset(index) : offset;
+            vec2 offset = in_parts ? sample_offset(first_of(mask))
+                        : finely ? sample_offset(index) : cell_middle(index, cells, cell);
             float weight = in_parts ? count_of(mask) / 16.0 : cell.x * cell.y;
-            sum += part_shade(triangle, own, pixel + offset, cell, state) * weight;
+            // Another surface of the pixel is lit as the first one where it goes on from there.
+            bool goes_on = abs(dot(plane, vec4(met(own, pixel + offset), 1.0))) < 0.5 && dot(plane.xyz, own.xyz) > 0.9;
+            sum += part_shade(triangle, own, pixel + offset, cell, alone || goes_on ? state : EDGE) * weight;
         }
     }
-    o_coverage = sum;
+    o_coverage = first == 0 ? 0.0 : sum;
 }

@@ -57,13 +57,26 @@ vec3 met(vec4 plane, vec2 pixel) {
     return start + along * reach_of(plane, start, along);
 }
 
-// How far one px in x and in y goes over the plane.
-mat2x3 pixel_on(vec4 plane, vec2 pixel) {
+// The plane's homogeneous places around a pixel, which are linear in canvas px: how far one px goes in x, in y, and the
+// place at the pixel itself, whose w is 1.
+mat3x4 places_on(vec4 plane, vec2 pixel) {
     vec3 start = ray_start(pixel);
     vec3 along = ray_along(start);
     float falling = dot(plane.xyz, along);
-    falling = abs(falling) < 1e-6 ? 1e-6 : falling;
-    float grown = 1.0 + (u_eye.w == 0.0 ? 0.0 : reach_of(plane, start, along));
-    return mat2x3((vec3(1.0, 0.0, 0.0) - along * (plane.x / falling)) * grown,
-                  (vec3(0.0, 1.0, 0.0) - along * (plane.y / falling)) * grown);
+    falling = abs(falling) < 1e-9 ? 1e-9 : falling;
+    float above = dot(plane.xyz, start) + plane.w;
+    float own = falling - u_eye.w * above;
+    return mat3x4((vec4(own, 0.0, 0.0, 0.0) + u_eye * plane.x) / falling,
+                  (vec4(0.0, own, 0.0, 0.0) + u_eye * plane.y) / falling,
+                  vec4(start - along * (above / falling), 1.0));
+}
+
+// How far one px in x and in y goes over the world where places go on so.
+mat2x3 pixel_over(mat3x4 places) {
+    return mat2x3(places[0].xyz - places[2].xyz * places[0].w, places[1].xyz - places[2].xyz * places[1].w);
+}
+
+// How far one px in x and in y goes over the plane.
+mat2x3 pixel_on(vec4 plane, vec2 pixel) {
+    return pixel_over(places_on(plane, pixel));
 }

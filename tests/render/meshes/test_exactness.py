@@ -259,6 +259,34 @@ def test_only_what_changed_is_drawn_again(mesh_renderer: Renderer, meshes: Meshe
     assert mesh_renderer.casts_drawn == before + 1
 
 
+def test_a_light_is_looked_at_for_one_character_or_for_all(
+    mesh_renderer: Renderer, meshes: Meshes, figure: Path
+) -> None:
+    """A map is fitted to who asks first; who asks then gets one for everything, and sees the same shadow."""
+    hills = meshes.piece("hills", heights_mesh(evaluate(standing(figure), 1).ground, waves(20, 40.0, 2.0), 400.0))
+
+    def at(x: float, lamp: float) -> Scene:
+        values = {"light.position": [lamp, -150, 950], "layers.A.position": [x, 500.0]}
+        return with_pieces(evaluate(with_values(standing(figure), values), 1), (hills,))
+
+    def drawn(scene: Scene) -> tuple[Array, int]:
+        before = mesh_renderer.meshes_seen[1]
+        got = cast_of(mesh_renderer, scene)
+        return got, mesh_renderer.meshes_seen[1] - before
+
+    alone, _ = drawn(at(700.0, 300.0))
+    assert drawn(at(300.0, 320.0))[1] == 1
+    # Far beside: the map is drawn once more, then it is there for both.
+    assert drawn(at(700.0, 320.0))[1] == 1
+    assert drawn(at(320.0, 320.0))[1] == 0
+    # So it is at once for the next light, until one has but one character.
+    assert drawn(at(300.0, 340.0))[1] + drawn(at(700.0, 340.0))[1] == 1
+    drawn(at(300.0, 300.0))
+    again, _ = drawn(at(700.0, 300.0))
+    assert alone.sum() > 1000
+    assert np.abs(again - alone).max() < 0.05
+
+
 # ---- shown
 
 

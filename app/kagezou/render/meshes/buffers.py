@@ -12,12 +12,15 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.gl import GL, deleted, made
 from kagezou.render.gpu.program import Program
 from kagezou.render.gpu.targets import Format, Texture
+from kagezou.render.prepare.clusters import Clusters, near_together
 from kagezou.scene.pieces import PieceScene
 
 _ROW_TRIANGLES = 1024
 """As ``meshes/triangles.glsl`` has it."""
 
 _PART_TEXELS = 4
+
+_TRIANGLE_BYTES = 12
 
 RECEIVES, CASTS, UNDER = 1, 2, 16
 """Flags of a triangle."""
@@ -68,7 +71,9 @@ class MeshBuffers:
         """(N, 3): vertices around the origin, px."""
         starts = np.cumsum([0, *(len(each) for each in places)])
         corners = [each.mesh.triangles + start for each, start in zip(placed, starts, strict=False)]
+        corners = [each[near_together(self.places[each])] for each in corners]
         counts = [len(each) for each in corners]
+        self._clusters = [Clusters.of(self.places[each]) for each in corners]
         self._starts = [int(start) for start in starts]
         self._firsts = [int(first) for first in np.cumsum([0, *counts])]
         self._triangles = np.ascontiguousarray(np.concatenate(corners), dtype=np.uint32)
@@ -81,22 +86,27 @@ class MeshBuffers:
             mine.is_like(other) for mine, other in zip(self.placed, placed, strict=True)
         )
 
-    def draw(self, program: Program, wanted: Callable[[PieceScene], bool]) -> None:
-        """Draw the meshes of the wanted pieces with a program in use, telling it the number of the first triangle."""
-        GL.glBindVertexArray(self._array)
-        for index, each in enumerate(self.placed):
-            first, count = self._firsts[index], self._firsts[index + 1] - self._firsts[index]
-            if count and wanted(each.piece):
-                program.use({"u_first": first})
-                GL.glDrawElements(GL.GL_TRIANGLES, count * 3, GL.GL_UNSIGNED_INT, c_void_p(first * 12))
+    def draw(self, program: Program, wanted: Callable[[PieceScene], bool], clip_rows: Matrix) -> None:
+        """Draw the meshes of the wanted pieces with a program in use, telling it the number of the first triangle.
 
-    def places_of(self, wanted: Callable[[PieceScene], bool]) -> Matrix:
-        """Return the vertices (N, 3) of the meshes of the wanted pieces, around the origin."""
-        chosen = [wanted(each.piece) for each in self.placed]
-        if all(chosen):
-            return self.places
-        bounds = zip(self._starts, self._starts[1:], chosen, strict=False)
-        return np.concatenate([self.places[start:stop] for start, stop, is_chosen in bounds if is_chosen])
+        Parameters
+        ----------
+        clip_rows
+            (4, 4): the map to clip space that the program draws with; what lies beyond need not be drawn.
+        """
+        GL.glBindVertexArray(self._array)
+        for start, clusters, each in zip(self._firsts, self._clusters, self.placed, strict=False):
+            for first, count in clusters.runs(clip_rows) if wanted(each.piece) else ():
+                program.use({"u_first": start + first})
+                GL.glDrawElements(
+                    GL.GL_TRIANGLES, count * 3, GL.GL_UNSIGNED_INT, c_void_p((start + first) * _TRIANGLE_BYTES)
+                )
+
+    def hulls_of(self, wanted: Callable[[PieceScene], bool]) -> Matrix:
+        """Return hulls (8, 3, N) around all of the meshes of the wanted pieces, around the origin."""
+        pairs = zip(self._clusters, self.placed, strict=True)
+        hulls = [clusters.hulls() for clusters, each in pairs if wanted(each.piece)]
+        return np.concatenate([np.zeros((8, 3, 0)), *hulls], axis=2)
 
     def line_ends(self, wanted: Callable[[PieceScene], bool]) -> Matrix:
         """Return the ends (N, 2, 3) of the lines of the meshes of the wanted pieces, world px."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
@@ -80,20 +81,47 @@ class MeshView:
 
     @cached_property
     def blocks(self) -> Matrix:
-        """(N, 3): fewer points around all that is seen, about the origin."""
+        """(8, 4, B): the same for the squares of tiles in which a mesh is seen: fewer points around it all."""
+        held = self._held_blocks
+        row, column = np.nonzero(held)
+        px = TILE_PX * _BLOCK_TILES
+        edges = [((column + dx) * float(px), (row + dy) * float(px)) for dy in (0, 1) for dx in (0, 1)]
+        corners = np.array([[x, y, np.ones_like(x)] for x, y in edges])
+        low, high = (each[held] for each in self._block_ranges)
+        return np.concatenate([self._along(corners, low), self._along(corners, high)])
+
+    @cached_property
+    def block_of_tile(self) -> NDArray[np.intp]:
+        """(T,): in which of the squares each tile lies in which a mesh is seen."""
+        held = self._held_blocks
+        numbers = np.cumsum(held).reshape(held.shape) - 1
+        rows, columns = np.nonzero(self.seen.reshape(self.ranges.shape[:2]))
+        return np.asarray(numbers[rows // _BLOCK_TILES, columns // _BLOCK_TILES])
+
+    @cached_property
+    def ball(self) -> tuple[Matrix, float]:
+        """The middle (3,), around the origin, and the radius of a ball around all that is seen."""
+        points = self.blocks[:, :3].transpose(0, 2, 1).reshape(-1, 3)
+        if len(points) == 0:
+            return np.zeros(3), 0.0
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2
+        return middle, float(np.linalg.norm(points - middle, axis=1).max())
+
+    @cached_property
+    def _block_ranges(self) -> tuple[Matrix, Matrix]:
+        """Between which lengths of rays meshes are met in each square of tiles; the first is greater where none is."""
         rows, columns = self.ranges.shape[:2]
         low = np.full((-(-rows // _BLOCK_TILES), -(-columns // _BLOCK_TILES)), np.inf)
         high = -low
         at = tuple(axis // _BLOCK_TILES for axis in np.mgrid[:rows, :columns])
         np.minimum.at(low, at, self.ranges[..., 0])
         np.maximum.at(high, at, self.ranges[..., 1])
-        held = low <= high
-        row, column = np.nonzero(held)
-        px = TILE_PX * _BLOCK_TILES
-        edges = [((column + dx) * float(px), (row + dy) * float(px)) for dy in (0, 1) for dx in (0, 1)]
-        corners = np.array([[x, y, np.ones_like(x)] for x, y in edges])
-        points = np.concatenate([self._along(corners, low[held]), self._along(corners, high[held])])
-        return np.asarray(points.transpose(0, 2, 1)[..., :3].reshape(-1, 3))
+        return low, high
+
+    @property
+    def _held_blocks(self) -> Flags:
+        low, high = self._block_ranges
+        return np.asarray(low <= high)
 
     def uniforms(self) -> dict[str, Uniform]:
         """Return what ``meshes/surface.glsl`` wants, its textures on units of their own."""
@@ -164,7 +192,7 @@ class MeshViews:
         rows = clip_rows(camera, canvas, on_gpu)
         if rows is not None:
             self._ids.use({"u_clip_rows": rows})
-            on_gpu.draw(self._ids, lambda _: True)
+            on_gpu.draw(self._ids, lambda _: True, rows)
         samples = target.texture_alone()
         view = MeshView(on_gpu, camera, canvas, self._gathered(on_gpu, camera, canvas, (samples, side)))
         samples.close()

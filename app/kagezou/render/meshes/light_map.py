@@ -1,4 +1,4 @@
-"""What a light sees of the meshes: a map fitted to what is both in the picture and in their shadow."""
+"""What a light sees of the meshes: a map fitted to what is seen, lies in their shadow and in that of a character."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,130 +6,66 @@ from typing import Final
 
 import numpy as np
 
+from kagezou.geometry.box import Box
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.polygon import box_polygon
 from kagezou.geometry.vectors import Matrix, Vector4
+from kagezou.render.gpu.gl import GL
 from kagezou.render.gpu.program import Variants
-from kagezou.render.gpu.targets import DeepTarget, Format, Texture
+from kagezou.render.gpu.targets import DeepTarget, Format
 from kagezou.render.meshes.eye_view import MAP_UNIT, TRIANGLES_UNIT, MeshView
-from kagezou.render.prepare.mask_tiles import Flags
+from kagezou.render.prepare.light_windows import LightCone, LightWindows
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.pieces import PieceScene
 
 _STEP_PX: Final = 512
 _LARGEST_PX: Final = 2048
-"""A map has as many texels a side as the canvas has px, in such steps and up to there: edges are finer than them."""
+"""A map has no more texels a side than the canvas has px, in such steps and up to there: edges are finer than them."""
 
 _KEPT_MAPS = 4
 """As many as an overhead light has lamps."""
 
-_WIDEST = 8.0
-"""The tangent of the widest angle from its middle that a lamp's map shows."""
+_NOTHING = (0.0, 0.0, 1.0, 1.0)
+"""The window of a face that has none."""
 
-_NEAREST = 0.02
-"""What is nearer to a lamp than this part of the distance of what it lights is cut off."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LightWindow:
-    """The light's own axes and the window its map shows.
-
-    Parameters
-    ----------
-    light
-        Homogeneous, (4,), around the origin of the meshes.
-    axes
-        (3, 3), rows: across, up, away from the light.
-    centre, half
-        The window in light space: for a lamp in parts of the distance, for the sun in px.
-    near, far
-        The distances kept, px.
-    """
-
-    light: Matrix
-    axes: Matrix
-    centre: Matrix
-    half: Matrix
-    near: float
-    far: float
-
-    def may_hold(self, points: Matrix) -> Flags:
-        """Return which of the hulls of points (K, 3, N) may lie in the window."""
-        flat, away = _flat(self.axes, self.light, points.transpose(0, 2, 1).reshape(-1, 3))
-        flat = flat.reshape(len(points), -1, 2)
-        is_beside = (away.reshape(len(points), -1) <= 0).any(axis=0) if self.light[3] else False
-        low, high = flat.min(axis=0) - self.centre, flat.max(axis=0) - self.centre
-        return np.asarray(is_beside | ((low < self.half) & (high > -self.half)).all(axis=1))
-
-    def clip_rows(self) -> tuple[Matrix, Matrix]:
-        """Return the (4, 4) map from places to clip space, and the form (4,) of the distance."""
-        axes = np.column_stack([self.axes, -self.axes @ self.light[:3] * self.light[3]])
-        away = axes[2]
-        one = np.array([0.0, 0.0, 0.0, 1.0])
-        near, far = self.near, self.far
-        if self.light[3] == 0:
-            w, depth = one, (2 * away - (near + far) * one) / (far - near)
-        else:
-            w, depth = away, ((far + near) * away - 2 * far * near * one) / (far - near)
-        across = [(axes[k] - self.centre[k] * w) / self.half[k] for k in (0, 1)]
-        return np.array([*across, depth, w]), away
-
-    @staticmethod
-    def around(light: Matrix, receivers: Matrix, ground: Matrix | None, casters: Matrix) -> "LightWindow | None":
-        """Return the window that holds what casters (N, 3) throw on receivers (M, 3); None where they throw nothing.
-
-        Parameters
-        ----------
-        light
-            (4,).
-        ground
-            (K, 3): more receivers; None for endless ones.
-        """
-        axes = _axes(light, receivers if len(receivers) else casters)
-        thrown, distances = _flat(axes, light, casters)
-        before = distances > (0.0 if light[3] else -np.inf)
-        if not before.any():
-            return None
-        low, high = np.full(2, -_WIDEST if light[3] else -np.inf), np.full(2, _WIDEST if light[3] else np.inf)
-        if before.all():
-            low, high = np.maximum(low, thrown.min(axis=0)), np.minimum(high, thrown.max(axis=0))
-        if ground is not None and len(receivers) + len(ground):
-            lit, away = _flat(axes, light, np.concatenate([receivers, ground]))
-            if not light[3] or (away > 0).all():
-                low, high = np.maximum(low, lit.min(axis=0)), np.minimum(high, lit.max(axis=0))
-        if not (low < high).all():
-            return None
-        least, most = float(distances[before].min()), float(distances[before].max())
-        if light[3]:
-            least = max(least * 0.99, _NEAREST * most)
-        reach = max(most - least, 1.0)
-        return LightWindow(
-            light=light,
-            axes=axes,
-            centre=(low + high) / 2,
-            half=(high - low) / 2 * 1.002 + 1e-6,
-            near=least if light[3] else least - 0.001 * reach,
-            far=most + 0.001 * reach,
-        )
+_MARGIN = 0.0625
+"""So much wider than a character is the first map of a light, so that it may turn and step a little."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LightMap:
-    """A window and what is seen in it."""
+    """Windows, and what is seen in them.
 
-    window: LightWindow
-    texture: Texture
+    Parameters
+    ----------
+    windows
+        One, or those on the faces of a cube.
+    boxes
+        Where each lies in the target.
+    target
+        What is seen.
+    """
+
+    windows: LightWindows
+    boxes: tuple[Box, ...]
+    target: DeepTarget
+
+    @property
+    def switches(self) -> frozenset[str]:
+        """The switches of ``meshes/light.glsl``."""
+        return frozenset({"MESHES", "ALL_AROUND"} if len(self.boxes) > 1 else {"MESHES"})
 
     def uniforms(self, origin: Matrix) -> dict[str, Uniform]:
         """Return what ``meshes/light.glsl`` wants, for places around a point (3,) told around the meshes' origin."""
-        window = self.window
+        axes = self.windows.axes
+        windows = [_NOTHING if each is None else (*each.centre, *each.half) for each in self.windows.faces]
         return {
             "u_map": MAP_UNIT,
             "u_triangles": TRIANGLES_UNIT,
-            "u_map_side": self.texture.width_px,
-            "u_map_axes": window.axes,
-            "u_map_window": np.concatenate([window.centre, window.half]),
-            "u_map_light": window.light,
+            "u_map_axes": axes.rows,
+            "u_map_windows": np.array(windows),
+            "u_map_boxes": np.array([(each.left, each.top, each.width, each.height) for each in self.boxes]),
+            "u_map_light": axes.light,
             "u_map_shift": origin,
         }
 
@@ -149,31 +85,75 @@ class Surroundings:
     ground: Plane | None
     is_endless: bool
 
-    def points(self, view: MeshView) -> Matrix | None:
-        """Return points (N, 3) around it all, about the origin of the meshes; None where there is no end of it."""
+    def hull(self, view: MeshView) -> Matrix | None:
+        """Return a hull (8, 3, N) around it all, about the origin of the meshes; None where there is no end of it."""
         if self.is_endless:
             return None
-        if self.ground is None:
-            return np.zeros((0, 3))
-        lift = world_from_canvas_on(view.camera, self.ground)
+        lift = None if self.ground is None else world_from_canvas_on(view.camera, self.ground)
         if lift is None:
-            return np.zeros((0, 3))
+            return np.zeros((8, 3, 0))
         seen = lift @ np.column_stack([box_polygon(view.canvas), np.ones(4)]).T
         if not (seen[3] > 1e-9 * np.abs(lift).max()).all():
             return None
-        return np.asarray((seen[:3] / seen[3]).T - view.on_gpu.origin)
+        corners = (seen[:3] / seen[3]).T - view.on_gpu.origin
+        return np.asarray(np.concatenate([corners, corners])[..., np.newaxis])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Taken:
+    """Who takes the light, and of what.
+
+    Parameters
+    ----------
+    by
+        Which pieces take it.
+    around
+        World points (N, 3) around all that would be lit: what is beyond them is not asked about; None for everything.
+    """
+
+    by: Callable[[PieceScene], bool]
+    around: Matrix | None = None
+
+    def hull(self, view: MeshView) -> Matrix | None:
+        """Return what would be lit as a hull (N, 3, 1), about the origin of the meshes."""
+        return None if self.around is None else (self.around - view.on_gpu.origin)[..., np.newaxis]
+
+
+@dataclass(slots=True, eq=False)
 class _Kept:
+    """A map and of whom it is.
+
+    Parameters
+    ----------
+    first
+        The cone of who asked first; None for everything.
+    is_for_all
+        Whether it shows more than that.
+    has_others
+        Whether somebody beyond the first cone has asked.
+    """
+
     view: MeshView
     what: tuple[Vector4, Surroundings, tuple[bool, ...]]
+    first: LightCone | None
     found: LightMap | None
-    target: DeepTarget | None
+    is_for_all: bool
+    has_others: bool = False
+
+    def answers(self, hull: Matrix | None) -> bool:
+        """Whether it has all that is asked about."""
+        is_first = self.first is not None and hull is not None and self.first.holds(hull)
+        is_same = is_first or (self.first is None and hull is None)
+        self.has_others = self.has_others or not is_same
+        return is_first or self.is_for_all
 
 
 class LightMaps:
-    """Draws the maps of lights; the last few are kept."""
+    """Draws the maps of lights; the last few are kept.
+
+    The first map of a light is fitted to the character it is asked about. Where another one is asked about then, the
+    map is drawn once more for everything, and so at once for the lights that follow, until one has but one character.
+    """
 
     def __init__(self) -> None:
         self._programs = Variants("meshes/triangle.vert", "meshes/map.frag")
@@ -188,16 +168,13 @@ class LightMaps:
 
     def forget(self) -> None:
         """Give back what is kept."""
-        for target in (*(kept.target for kept in self._kept), *self._spare):
-            if target is not None:
-                target.close()
+        for target in (*(kept.found.target for kept in self._kept if kept.found is not None), *self._spare):
+            target.close()
         self._kept.clear()
         self._spare.clear()
 
-    def map_of(
-        self, view: MeshView, light: Vector4, around: Surroundings, wanted: Callable[[PieceScene], bool]
-    ) -> LightMap | None:
-        """Return what a light sees of the meshes of the wanted pieces; None where they take nothing of it.
+    def map_of(self, view: MeshView, light: Vector4, around: Surroundings, taken: Taken) -> LightMap | None:
+        """Return what a light sees of the meshes of those that take it; None where they take nothing.
 
         Parameters
         ----------
@@ -205,72 +182,79 @@ class LightMaps:
             The meshes and what is seen of them, and what else their shadow may be seen on.
         light
             Homogeneous, world px.
-        wanted
-            Which pieces.
+        taken
+            By whom, and of what.
         """
-        what = (light, around, tuple(wanted(each.piece) for each in view.on_gpu.placed))
+        what = (light, around, tuple(taken.by(each.piece) for each in view.on_gpu.placed))
+        hull = taken.hull(view)
         for index, kept in enumerate(self._kept):
             if kept.view is view and kept.what == what:
                 self._kept.append(self._kept.pop(index))
-                return kept.found
-        window = None
-        if any(what[2]):
-            casters = view.on_gpu.places_of(wanted)
-            window = LightWindow.around(view.local(np.array(light)), view.blocks, around.points(view), casters)
-        if window is None:
-            self._keep(_Kept(view, what, None, None))
-            return None
-        target = self._free_target(view)
-        self._draw(view, window, target, wanted)
-        self._keep(_Kept(view, what, LightMap(window, target.texture), target))
+                if not kept.answers(hull):
+                    self._let_go(self._kept.pop())
+                    self._kept.append(self._made(view, what, kept.first, taken, is_for_all=True))
+                    self._kept[-1].has_others = True
+                return self._kept[-1].found
+        lamp = view.local(np.array(light))
+        first = None if hull is None else LightCone.around(lamp, hull, _MARGIN)
+        likes = [kept for kept in self._kept if kept.view is view and kept.what[2] == what[2]]
+        is_for_all = first is None or any(kept.has_others for kept in likes)
+        self._kept.append(self._made(view, what, first, taken, is_for_all=is_for_all))
         return self._kept[-1].found
 
-    def _keep(self, kept: _Kept) -> None:
-        self._kept.append(kept)
+    def _made(
+        self,
+        view: MeshView,
+        what: tuple[Vector4, Surroundings, tuple[bool, ...]],
+        first: LightCone | None,
+        taken: Taken,
+        *,
+        is_for_all: bool,
+    ) -> _Kept:
+        """Draw the map of a light, for a cone or for everything."""
+        windows = None
+        if any(what[2]):
+            receivers = _with(view.blocks[:, :3], what[1].hull(view))
+            asked = None if is_for_all else first
+            windows = LightWindows.of(view.local(np.array(what[0])), asked, receivers, view.on_gpu.hulls_of(taken.by))
+        found = None
+        if windows is not None:
+            most = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
+            boxes = windows.boxes(most)
+            found = LightMap(windows, boxes, self._free_target(view, boxes))
+            self._draw(view, found, taken.by)
+        return _Kept(view, what, first, found, is_for_all)
 
-    def _free_target(self, view: MeshView) -> DeepTarget:
-        """Return a target to draw in; maps of other views and the least lately used go for it."""
+    def _let_go(self, kept: _Kept) -> None:
+        if kept.found is not None:
+            self._spare.append(kept.found.target)
+
+    def _free_target(self, view: MeshView, boxes: tuple[Box, ...]) -> DeepTarget:
+        """Return a target that holds boxes; maps of other views and the least lately used go for it."""
         for kept in [each for each in self._kept if each.view is not view] + self._kept[: 1 - _KEPT_MAPS]:
             if kept in self._kept:
                 self._kept.remove(kept)
-                self._spare += [] if kept.target is None else [kept.target]
-        side = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
+                self._let_go(kept)
+        width, height = boxes[-1].right, max(each.bottom for each in boxes)
         while self._spare:
             target = self._spare.pop()
-            if target.box.width == side:
+            if (target.box.width, target.box.height) == (width, height):
                 return target
             target.close()
-        return DeepTarget(side, side, Format.FLOAT2)
+        return DeepTarget(width, height, Format.FLOAT2)
 
-    def _draw(
-        self, view: MeshView, window: LightWindow, target: DeepTarget, wanted: Callable[[PieceScene], bool]
-    ) -> None:
-        target.begin()
-        rows, away = window.clip_rows()
+    def _draw(self, view: MeshView, light_map: LightMap, wanted: Callable[[PieceScene], bool]) -> None:
+        light_map.target.begin()
         program = self._programs[frozenset({"AWAY"})]
-        program.use({"u_clip_rows": rows, "u_away": away})
-        view.on_gpu.draw(program, wanted)
+        for window, box in zip(light_map.windows.faces, light_map.boxes, strict=True):
+            if window is not None:
+                for place in (GL.glViewport, GL.glScissor):
+                    place(box.left, box.top, box.width, box.height)
+                rows, away = window.clip_rows()
+                program.use({"u_clip_rows": rows, "u_away": away})
+                view.on_gpu.draw(program, wanted, rows)
         self.maps_drawn += 1
 
 
-def _axes(light: Matrix, points: Matrix) -> Matrix:
-    """Return the light's axes (3, 3), the last one toward the middle of points as the light sees them."""
-    if light[3]:
-        toward = points - light[:3]
-        away = (toward / np.maximum(np.linalg.norm(toward, axis=1, keepdims=True), 1e-9)).mean(axis=0)
-    else:
-        away = -light[:3]
-    length = float(np.linalg.norm(away))
-    away = away / length if length > 1e-6 else np.array([0.0, 0.0, -1.0])
-    helper = np.array([1.0, 0.0, 0.0]) if abs(away[0]) < 0.9 else np.array([0.0, 1.0, 0.0])
-    across = np.cross(helper, away)
-    across /= np.linalg.norm(across)
-    return np.array([across, np.cross(away, across), away])
-
-
-def _flat(axes: Matrix, light: Matrix, points: Matrix) -> tuple[Matrix, Matrix]:
-    seen = (points - light[:3] * light[3]) @ axes.T
-    if light[3] == 0:
-        return seen[:, :2], seen[:, 2]
-    # What lies beside or behind the lamp is as far out as can be.
-    return seen[:, :2] / np.maximum(seen[:, 2:], 1e-3), seen[:, 2]
+def _with(receivers: Matrix, others: Matrix | None) -> Matrix | None:
+    return None if others is None else np.concatenate([receivers, others], axis=2)

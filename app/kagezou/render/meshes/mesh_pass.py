@@ -1,6 +1,6 @@
 """The pass of meshes: the shadow on every triangle that is seen, and what meshes do to the other faces of a set."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import radians, sin
 
@@ -24,14 +24,13 @@ from kagezou.render.gpu.targets import Target
 from kagezou.render.meshes.buffers import MeshBuffers, PlacedMesh
 from kagezou.render.meshes.display import Display, MeshDisplays, SetPicture
 from kagezou.render.meshes.eye_view import MeshView, MeshViews
-from kagezou.render.meshes.light_map import LightMap, LightMaps, Surroundings
+from kagezou.render.meshes.light_map import LightMap, LightMaps, Surroundings, Taken
 from kagezou.render.meshes.occlusion import Pasts, Screen, light_uniforms
 from kagezou.render.prepare.cast_uniforms import card_switches, card_uniforms
 from kagezou.render.prepare.mask_tiles import Flags
 from kagezou.render.prepare.mask_uniforms import LIGHT
 from kagezou.render.prepare.set_as_seen import SetAsSeen
 from kagezou.render.prepare.uniforms import Uniform
-from kagezou.scene.pieces import PieceScene
 from kagezou.scene.scene import ShadowCast
 
 _IN_PARTS: frozenset[str] = frozenset()
@@ -75,7 +74,7 @@ class MeshLit:
         """Return what ``meshes/shade.frag`` always wants, its textures bound."""
         view = self.view
         view.bind()
-        centre, reach = _ball(view.blocks)
+        centre, reach = view.ball
         ball = (centre + view.on_gpu.origin, reach)
         found = view.uniforms() | tables.uniforms(self._occlusions(), self.world_from_local, ball)
         if self.light_map is not None:
@@ -162,12 +161,12 @@ class MeshPass:
         set_seen: SetAsSeen,
         light: Vector4,
         ground: Plane | None,
-        wanted: Callable[[PieceScene], bool],
+        taken: Taken,
     ) -> MeshLit:
-        """Return the meshes of a set_seen under a light that pieces take where they are wanted."""
+        """Return the meshes of a set_seen under a light that is taken by some."""
         around = Surroundings(ground, bool(set_seen.bodies))
-        light_map = self._maps.map_of(view, light, around, wanted)
-        return MeshLit(view, set_seen, light, set_seen.occlusions(light, wanted), light_map, ground)
+        light_map = self._maps.map_of(view, light, around, taken)
+        return MeshLit(view, set_seen, light, set_seen.occlusions(light, taken.by), light_map, ground)
 
     def screen(self, lit: MeshLit, face: Face | RoundFace) -> Screen:
         """Return what the meshes do to another face."""
@@ -209,7 +208,7 @@ class MeshPass:
 
     @staticmethod
     def _switches(lit: MeshLit) -> frozenset[str]:
-        return frozenset({"MESHES"} if lit.light_map is not None else ())
+        return frozenset() if lit.light_map is None else lit.light_map.switches
 
     @staticmethod
     def _begin(target: Target, box: Box) -> None:
@@ -222,23 +221,24 @@ def _shaded(view: MeshView, cast: SpaceCast, matte: PlacedMatte) -> tuple[Flags,
     """Return in which tiles of the canvas (N,) a card piece may shade a mesh, and in which it casts fully."""
     shift = np.eye(4)
     shift[:3, 3] = view.on_gpu.origin
-    art = np.matmul(cast.art_from_world @ shift, view.hulls)
-    w = art[:, 2]
-    is_bounded = w.min(axis=0) > 1e-9 * np.abs(cast.art_from_world[2]).max()
-    corner = np.array([matte.box.left, matte.box.top])[:, np.newaxis]
-    texels = art[:, :2] / np.where(w > 0, w, 1.0)[:, np.newaxis] - corner
-    empty, filled = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
-    values = np.matmul(cast.forms @ shift, view.hulls)
-    outside, inside = (values.max(axis=0) < 0).any(axis=0), (values.min(axis=0) >= 0).all(axis=0)
+    art, forms = cast.art_from_world @ shift, cast.forms @ shift
+    # Most squares of tiles are beside the shadow, and so are all of their tiles.
+    asked = _states(art, forms, view.blocks, matte)[0][view.block_of_tile]
+    found = _states(art, forms, view.hulls[:, :, asked], matte)
     some, full = np.zeros(len(view.seen), bool), np.zeros(len(view.seen), bool)
-    some[view.seen] = ~((is_bounded & empty) | outside)
-    full[view.seen] = is_bounded & filled & inside
+    numbers = np.nonzero(view.seen)[0][asked]
+    some[numbers], full[numbers] = found
     return some, full
 
 
-def _ball(points: Matrix) -> tuple[Matrix, float]:
-    """Return the middle (3,) and the radius of a ball around points (N, 3)."""
-    if len(points) == 0:
-        return np.zeros(3), 0.0
-    middle = (points.min(axis=0) + points.max(axis=0)) / 2
-    return middle, float(np.linalg.norm(points - middle, axis=1).max())
+def _states(art_from_local: Matrix, forms: Matrix, hulls: Matrix, matte: PlacedMatte) -> tuple[Flags, Flags]:
+    """Return in which hulls (K, 4, N) a card piece may shade something, and in which it casts fully."""
+    art = np.matmul(art_from_local, hulls)
+    w = art[:, 2]
+    is_bounded = w.min(axis=0) > 1e-9 * np.abs(art_from_local[2]).max()
+    corner = np.array([matte.box.left, matte.box.top])[:, np.newaxis]
+    texels = art[:, :2] / np.where(w > 0, w, 1.0)[:, np.newaxis] - corner
+    empty, filled = matte.occupancy.states(texels.min(axis=0), texels.max(axis=0))
+    values = np.matmul(forms, hulls)
+    outside, inside = (values.max(axis=0) < 0).any(axis=0), (values.min(axis=0) >= 0).all(axis=0)
+    return ~((is_bounded & empty) | outside), is_bounded & filled & inside

@@ -60,9 +60,9 @@ class Screen:
     @property
     def switches(self) -> frozenset[str]:
         """Switches of ``sets/mask.frag``; a round face has asked for the light itself."""
-        asks_light = self.light_map is not None and isinstance(self.face, Face)
-        names = (("PAST_MESHES", self.past.texture is not None), ("MESHES", asks_light))
-        return frozenset(name for name, is_set in names if is_set)
+        asks_light = isinstance(self.face, Face)
+        past = frozenset() if self.past.texture is None else frozenset({"PAST_MESHES"})
+        return past | self.light_map.switches if self.light_map is not None and asks_light else past
 
     def narrowed(self, states: MaskStates, box: Box) -> MaskStates:
         """Return the states of the tiles of a box with what the meshes change."""
@@ -99,7 +99,7 @@ class Screen:
         w = seen[:, 3]
         is_bounded = (w > 1e-9 * np.abs(w).max()).all(axis=0)
         points = seen[:, :3] / np.where(w > 0, w, 1.0)[:, np.newaxis]
-        return np.asarray(~is_bounded | self.light_map.window.may_hold(points))
+        return np.asarray(~is_bounded | self.light_map.windows.may_hold(points))
 
     def _local_lift(self, face: Face) -> Matrix:
         lift = face.flat.lift.copy()
@@ -109,7 +109,7 @@ class Screen:
 
 def light_uniforms(light_map: LightMap, view: MeshView, shift: Matrix) -> dict[str, Uniform]:
     """Return what ``meshes/light.glsl`` wants, its textures bound."""
-    light_map.texture.bind(MAP_UNIT)
+    light_map.target.texture.bind(MAP_UNIT)
     view.on_gpu.texture.bind(TRIANGLES_UNIT)
     return light_map.uniforms(shift)
 

@@ -4,6 +4,7 @@ from kagezou.geometry.box import Box, around
 from kagezou.geometry.sets.faces_seen import GROUND, Face
 from kagezou.geometry.vectors import height_over
 from kagezou.render.gpu.targets import Target
+from kagezou.render.meshes.light_map import Taken
 from kagezou.render.prepare.set_receivers import casts
 from kagezou.render.sets.add_face import OwnShade
 from kagezou.render.sets.lit_set import EVERYWHERE, Lit, own_shade
@@ -26,7 +27,7 @@ class OwnShadowPass:
         drawn: Box | None = None
         ground = cast.ground if cast.ground_receives else None
         for light in cast.lights:
-            lit = self._drawing.lit(set_seen, light, ground, casts)
+            lit = self._drawing.lit(set_seen, light, ground, Taken(casts))
             own = target if len(cast.lights) == 1 else self._drawing.scratches.like("light", target)
             box: Box | None = None
             for face in set_seen.faces:

@@ -45,7 +45,7 @@ class RoundLit:
     @property
     def switches(self) -> frozenset[str]:
         """The switches of ``sets/round.frag`` that meshes ask for."""
-        return frozenset() if self.screen is None or self.screen.light_map is None else frozenset({"MESHES"})
+        return frozenset() if self.screen is None or self.screen.light_map is None else self.screen.light_map.switches
 
     @property
     def world_from_local(self) -> Matrix:

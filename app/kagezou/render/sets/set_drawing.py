@@ -13,6 +13,7 @@ from kagezou.io.sets.mesh_cache import MeshCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.scratches import Scratches
 from kagezou.render.gpu.targets import Target
+from kagezou.render.meshes.light_map import Taken
 from kagezou.render.meshes.mesh_pass import MeshLit, MeshPass
 from kagezou.render.meshes.occlusion import Screen
 from kagezou.render.passes.cast import CastPass
@@ -68,13 +69,11 @@ class SetDrawing:
             self._views.popitem(last=False)
         return set_seen
 
-    def lit(
-        self, set_seen: SetAsSeen, light: Vector4, ground: Plane | None, wanted: Callable[[PieceScene], bool]
-    ) -> Lit:
-        """Return a set under a light; of the pieces that are ``wanted`` it is known what they keep the light from."""
+    def lit(self, set_seen: SetAsSeen, light: Vector4, ground: Plane | None, taken: Taken) -> Lit:
+        """Return a set under a light that some of its pieces take."""
         view = self.mesh.view(set_seen, Box(0, 0, set_seen.camera.width_px, set_seen.camera.height_px))
-        meshes = None if view is None else self.mesh.lit(view, set_seen, light, ground, wanted)
-        return Lit(set_seen, light, set_seen.occlusions(light, wanted), meshes)
+        meshes = None if view is None else self.mesh.lit(view, set_seen, light, ground, taken)
+        return Lit(set_seen, light, set_seen.occlusions(light, taken.by), meshes)
 
     def unlit(self, set_seen: SetAsSeen, light: Vector4, ground: Plane | None) -> Lit:
         """Return a set under a light that nobody keeps from anybody."""

@@ -16,9 +16,11 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.targets import Target
 from kagezou.render.meshes.display import Display, SetPicture
+from kagezou.render.meshes.light_map import Taken
 from kagezou.render.passes.cast import CastPass, Window, strokes
 from kagezou.render.passes.filter import ShapePass
 from kagezou.render.passes.silhouette import SilhouettePass
+from kagezou.render.prepare.card_places import places_on_card
 from kagezou.render.prepare.set_as_seen import SetAsSeen
 from kagezou.render.prepare.set_receivers import blocks, receivers_of, views_of
 from kagezou.render.sets.lit_set import Lit, Shaped
@@ -75,8 +77,10 @@ class SetPass:
         shaped = self._shaped(set_seen, cast, matte, target) if cast.is_filtered and cast.lights else None
         drawn: Box | None = None
         ground = cast.receivers[0] if cast.ground_receives else None
+        # A filtered shadow reaches beyond what the card throws.
+        taken = Taken(blocks, None if shaped is not None else places_on_card(cast, matte.box))
         for light in cast.lights:
-            lit = self._drawing.lit(set_seen, light, ground, blocks)
+            lit = self._drawing.lit(set_seen, light, ground, taken)
             own = target if len(cast.lights) == 1 else self._drawing.scratches.like("light", target)
             box = self._draw_light(lit, cast, matte, own, shaped)
             drawn = self._drawing.united(own, box, target, drawn)
