@@ -8,8 +8,10 @@
 
 #ifdef ALL_AROUND
 const int FACES = 6;                   // of a cube around the lamp: away, back, right, left, up, down
+const int REACH = 4;                   // texels around a place, each way, whose triangles are asked: its own are wide
 #else
 const int FACES = 1;
+const int REACH = 2;
 #endif
 
 uniform sampler2D u_map;               // how far the nearest triangle is from the light, and which, counted from 1
@@ -120,13 +122,14 @@ bool stands_between(vec3 place, vec3 normal, int triangle) {
 bool is_dark(vec3 place, vec3 normal, bool asked) {
     float least = asked ? 1e9 : -1e9;
     bool dark = false;
-    for (int index = asked ? 0 : 4; index < 4; ++index) {
+    for (int index = asked ? 0 : REACH * REACH; index < REACH * REACH; ++index) {
         vec3 seen = in_light(place);
         vec4 surface = toward_light(normal, seen);
         int face = face_of(seen);
-        vec2 beside = vec2(float(index & 1), float(index >> 1)) - 0.5;
+        vec2 beside = vec2(float(index % REACH), float(index / REACH)) - 0.5 * float(REACH - 1);
         vec2 found = over_surface(face, flat_on(face, seen) + beside * texel_on(face), surface, place);
-        least = min(least, found.x);
+        // What is dark without a triangle is told by the nearest four.
+        least = max(abs(beside.x), abs(beside.y)) < 1.0 ? min(least, found.x) : least;
         if (found.x > -HIGH_PX) {
             dark = dark || stands_between(place, normal, int(found.y));
         }

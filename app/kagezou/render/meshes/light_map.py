@@ -220,7 +220,7 @@ class LightMaps:
         found = None
         if windows is not None:
             most = min(-(-max(view.canvas.width, view.canvas.height) // _STEP_PX) * _STEP_PX, _LARGEST_PX)
-            boxes = windows.boxes(most)
+            boxes = windows.boxes(most, are_fine=is_for_all)
             found = LightMap(windows, boxes, self._free_target(view, boxes))
             self._draw(view, found, taken.by)
         return _Kept(view, what, first, found, is_for_all)

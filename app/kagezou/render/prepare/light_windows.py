@@ -28,6 +28,9 @@ _STEP_TEXELS = 64
 _MOST_TEXELS = 4 << 20
 """Of all faces together: with more, they are all as much coarser."""
 
+_LEAST_TEXELS = 512
+"""Of the longer side of a window: narrow triangles near the light cost little."""
+
 _WIDEST_FACE_TEXELS = 1024
 """Six beside each other are no wider than the textures of any driver."""
 
@@ -185,10 +188,11 @@ class LightWindow:
         across = [(axes[k] - self.centre[k] * w) / self.half[k] for k in (0, 1)]
         return np.array([*across, depth, w]), away
 
-    def size_texels(self, most: int) -> tuple[int, int]:
-        """Return how many texels a map of it has, each way, ``most`` at most."""
+    def size_texels(self, least: int, most: int) -> tuple[int, int]:
+        """Return how many texels a map of it has, each way; the longer side has ``least`` and ``most`` at most."""
         sides = 2 * self.half * (self.far if self.axes.light[3] else 1.0) / _TEXEL_PX
-        sides = sides * min(1.0, most / float(sides.max()))
+        longer = float(sides.max())
+        sides = sides * (min(max(longer, least), most) / longer)
         width, height = (min(ceil(side / _STEP_TEXELS) * _STEP_TEXELS, most) for side in sides.tolist())
         return width, height
 
@@ -269,10 +273,17 @@ class LightWindows:
         """Return which of the hulls of points (K, 3, N) may lie in one of the windows."""
         return np.asarray(np.logical_or.reduce([each.may_hold(points) for each in self.faces if each is not None]))
 
-    def boxes(self, most: int) -> tuple[Box, ...]:
-        """Return where in one map each face lies, none wider than ``most`` texels; empty for one without a window."""
+    def boxes(self, most: int, *, are_fine: bool) -> tuple[Box, ...]:
+        """Return where in one map each face lies, none wider than ``most`` texels; empty for one without a window.
+
+        Parameters
+        ----------
+        are_fine
+            Whether one alone is as wide as that, however little it shows.
+        """
         widest = most if len(self.faces) == 1 else min(most, _WIDEST_FACE_TEXELS)
-        sizes = [(0, 0) if each is None else each.size_texels(widest) for each in self.faces]
+        least = most if are_fine and len(self.faces) == 1 else _LEAST_TEXELS
+        sizes = [(0, 0) if each is None else each.size_texels(least, widest) for each in self.faces]
         shrunk = min(1.0, float(np.sqrt(_MOST_TEXELS / sum(width * height for width, height in sizes))))
         found: list[Box] = []
         left = 0
