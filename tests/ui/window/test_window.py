@@ -23,6 +23,7 @@ from kagezou.ui.project.dialogs import Answer
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.viewport import frame_painter, picture_widget
 from kagezou.ui.widgets.message_bar import Severity
+from kagezou.ui.window.bars import TopBars
 from kagezou.ui.window.main_window import MainWindow
 from tests.ui.viewing import drag, picture, shadow_is_on_canvas, write_garbage
 
@@ -297,6 +298,27 @@ def test_the_demo_is_made_once_and_opened(
         program.open_project.clear()
     assert len(made) == 1
     program.put_away()
+
+
+def test_a_message_that_stands_leaves_the_window_at_rest(walking: MainWindow, monkeypatch: pytest.MonkeyPatch) -> None:
+    placed: list[TopBars] = []
+    place = TopBars._place
+
+    def counted(bars: TopBars) -> None:
+        placed.append(bars)
+        place(bars)
+
+    monkeypatch.setattr(TopBars, "_place", counted)
+    walking.parts.bar.say("stands", "A message " * 30, Severity.WARNING)
+    for _turn in range(20):
+        QApplication.processEvents()
+    assert placed
+    needed = walking.parts.bar.heightForWidth(walking.pages.width())
+    assert walking.top_bars.height() == walking.parts.bar.height() == needed
+    placed.clear()
+    for _turn in range(20):
+        QApplication.processEvents()
+    assert placed == []
 
 
 def test_a_message_never_moves_the_picture(qtbot: QtBot, walking: MainWindow) -> None:

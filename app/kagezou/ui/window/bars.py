@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 _FOLLOWED = frozenset({
@@ -70,4 +70,9 @@ class TopBars(QWidget):
         height = column.heightForWidth(width) if column.hasHeightForWidth() else column.sizeHint().height()
         self.setGeometry(self._over.x(), self._over.y(), width, height)
         column.activate()
+        for bar in self._bars:
+            if (inner := bar.layout()) is not None:
+                inner.activate()
+            # Asked for by what was done here: followed, it would have the bars placed again and again without an end.
+            QCoreApplication.removePostedEvents(bar, QEvent.Type.LayoutRequest.value)
         self.raise_()
