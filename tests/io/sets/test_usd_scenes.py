@@ -239,12 +239,17 @@ def test_attributes_of_any_type_are_one_sentence(tmp_path: Path, body: str) -> N
         read(tmp_path, body)
 
 
-def test_names_that_are_no_text_are_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What a damaged file gives for names may change from reading to reading."""
+@pytest.mark.parametrize(
+    "error", [UnicodeDecodeError("utf-8", b"\xff", 0, 1, "invalid start byte"), RuntimeError("vector::reserve")]
+)
+def test_what_openusd_makes_of_damage_is_one_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception
+) -> None:
+    """What a damaged file gives for names and lengths may change from reading to reading."""
 
-    def undecoded(_opened: object, _most: int) -> Triangles:
-        raise UnicodeDecodeError("utf-8", b"\xff", 0, 1, "invalid start byte")
+    def failing(_opened: object, _most: int) -> Triangles:
+        raise error
 
-    monkeypatch.setattr(usd_child, "triangles_in", undecoded)
+    monkeypatch.setattr(usd_child, "triangles_in", failing)
     with pytest.raises(InputProblem, match="the file is damaged"):
         read(tmp_path, mesh("m"))

@@ -56,7 +56,8 @@ def contents_of(path: Path, rate: Fraction) -> UsdContents:
         opened = open_stage(path)
         is_z_up = str(pxr("UsdGeom").GetStageUpAxis(opened.stage)) == "Z"
         return UsdContents(_triangles(opened), _cameras(opened, rate), rate if moves(opened.stage) else None, is_z_up)
-    except UnicodeDecodeError as error:  # names of a damaged file need not be text
+    # In a damaged file names need not be text, and OpenUSD itself may refuse a length (std::length_error).
+    except (UnicodeDecodeError, RuntimeError) as error:
         raise InputProblem(_damaged(path)) from error
 
 
