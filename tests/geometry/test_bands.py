@@ -173,11 +173,15 @@ def test_nothing_is_blurred_into_a_window_from_beyond_what_it_feels(amount: floa
 
 
 @pytest.mark.parametrize("blur", [Blur(40.0, 200.0), Blur(40.0, 0.0)])
-def test_the_bands_of_a_window_show_no_more_than_that(blur: Blur) -> None:
-    window = Extent(-100.0, -500.0, 150.0, -60.0)
-    bands = bands_of(blur, window, is_window=True)
+def test_of_a_part_that_is_looked_at_the_bands_show_no_more(blur: Blur) -> None:
+    known, seen = Extent(-100.0, -600.0, 150.0, 20.0), (-500.0, -60.0)
+    bands = bands_of(blur, known, seen)
     assert bands
     for band in bands:
-        assert window.low <= band.core.low < band.core.high <= window.high
-        assert (band.core.left, band.core.right) == (window.left, window.right)
+        assert seen[0] <= band.core.low < band.core.high <= seen[1]
+        assert (band.core.left, band.core.right) == (known.left, known.right)
+        reach = REACH_SIGMAS * max(blur.sigma_at(band.core.low), blur.sigma_at(band.core.high))
+        assert band.needed.low <= max(band.core.low - reach, known.low)
+        assert band.needed.high >= min(band.core.high + reach, known.high)
     assert sum(band.core.high - band.core.low for band in bands) == pytest.approx(440.0)
+    assert not bands_of(Blur(40.0, 200.0), known, (-2.0, 2.0))

@@ -148,21 +148,21 @@ class Band:
         return float(1 << self.level)
 
 
-def bands_of(blur: Blur, shadow: Extent, *, is_window: bool = False) -> tuple[Band, ...]:
+def bands_of(blur: Blur, shadow: Extent, seen: tuple[float, float] | None = None) -> tuple[Band, ...]:
     """Return the bands that a blurred shadow may touch, from the contact line outward, on both its sides.
 
-    With ``is_window`` the extent is a part of a picture, of which nothing beyond is looked at; else the shape may grow
-    beyond it.
+    With ``seen``, from which v to which it is looked at, the shadow is a part of a picture, which the shape does not
+    grow beyond.
     """
     if not blur.is_even:
-        return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side, is_window=is_window))
+        return tuple(band for side in (-1, 1) for band in _side(blur, shadow, side, seen))
     sigma = blur.sigma_at(0.0)
     if sigma <= SHARP_SIGMA_PX:
         return ()
-    grown = 0.0 if is_window else _growth(blur, shadow, sigma)
+    grown = 0.0 if seen else _growth(blur, shadow, sigma)
     # Nothing bends an even blur over: where it is wide, still larger texels will do.
     largest = min(max(LARGEST_TEXEL_PX, sigma / 4), 2 * LARGEST_TEXEL_PX)
-    core = (shadow.low - grown, shadow.high + grown)
+    core = seen or (shadow.low - grown, shadow.high + grown)
     return (_band(shadow, core, sigma, grown, _level(shadow, _texel(shadow, sigma, largest))),)
 
 
@@ -199,18 +199,21 @@ def _disc(shadow: Extent) -> float:
     return 1.1 * sqrt((shadow.right - shadow.left) * (shadow.high - shadow.low) / pi) + 2.0
 
 
-def _side(blur: Blur, shadow: Extent, side: int, *, is_window: bool) -> Iterator[Band]:
+def _side(blur: Blur, shadow: Extent, side: int, seen: tuple[float, float] | None) -> Iterator[Band]:
     """Yield the bands on one side of the contact line, the distance doubling in each."""
-    inner, outer = (shadow.low, shadow.high) if side > 0 else (-shadow.high, -shadow.low)
-    grown = 0.0 if is_window else _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
+    low_v, high_v = seen or (shadow.low, shadow.high)
+    inner, outer = (low_v, high_v) if side > 0 else (-high_v, -low_v)
+    grown = 0.0 if seen else _growth(blur, shadow, blur.sigma_at(max(outer, 0.0) + _disc(shadow)))
     farthest = _farthest(blur, outer, grown)
     if farthest <= 0 or blur.sigma_at(farthest) <= SHARP_SIGMA_PX:
         return
     first = max(blur.distance_of(SHARP_SIGMA_PX), inner - grown)
+    if first >= farthest:
+        return
     for low, high, level in _cores(blur, shadow, first, farthest):
         core = (low, high) if side > 0 else (-high, -low)
         widest = blur.sigma_at(high)
-        yield _band(shadow, core, widest, 0.0 if is_window else _growth(blur, shadow, widest), level)
+        yield _band(shadow, core, widest, 0.0 if seen else _growth(blur, shadow, widest), level)
 
 
 def _cores(blur: Blur, shadow: Extent, first: float, farthest: float) -> Iterator[tuple[float, float, int]]:

@@ -55,7 +55,7 @@ def test_while_the_filter_changes_a_little_the_parts_stay() -> None:
 
 
 def parts_of_sheets(extent: Extent) -> tuple[CastPart, ...]:
-    return cast_parts(Chart(extent, laid_out(bands_of(Blur(40.0, 200.0), extent, is_window=True)), number=1))
+    return cast_parts(Chart(extent, laid_out(bands_of(Blur(40.0, 200.0), extent, (extent.low, extent.high))), number=1))
 
 
 def test_a_small_chart_with_sheets_is_cast_once() -> None:

@@ -69,8 +69,10 @@ def charted(job: FilterJob, receivers: Receivers) -> FilterJob:
         if len(development.charts) == 1:
             return alone
         job = replace(job, development=development)
-        extents = [job.extent, *(_extent(job, number) for number in range(1, len(development.charts)))]
-        bands = [bands_of(job.blur, extent, is_window=number > 0) for number, extent in enumerate(extents)]
+        shown = [_shown(job, number) for number in range(1, len(development.charts))]
+        extents = [job.extent, *(felt_by(job.blur, each) for each in shown)]
+        seen = (None, *((each.low, each.high) for each in shown))
+        bands = [bands_of(job.blur, extent, part) for extent, part in zip(extents, seen, strict=True)]
         strips = laid_out(band for each in bands for band in each)
         if strips and len(strips) <= MAX_BANDS and strips[-1].box.bottom <= _TALLEST_TEXELS:
             return replace(job, charts=tuple(_split(extents, bands, strips)))
@@ -178,8 +180,8 @@ def _shadow_on(cast: ShadowCast, matte: MatteOnCanvas, face: FlatFace, plane_fro
     return extent_of(replace(cast, receivers=(face.plane,)), matte, on_canvas)
 
 
-def _extent(job: FilterJob, number: int) -> Extent:
-    """Return the part of a chart that has to be known: the reached part of its sheets and what is blurred into that."""
+def _shown(job: FilterJob, number: int) -> Extent:
+    """Return the part of a chart that is looked at: the reached part of its sheets, and near seams what is beside."""
     development = job.development
     stretch = job.ground_from_blurred
     parts: list[Extent] = []
@@ -199,7 +201,7 @@ def _extent(job: FilterJob, number: int) -> Extent:
     if not parts:
         return Extent(0.0, 0.0, 1.0, 1.0)
     u, v = job.moved_px
-    return felt_by(job.blur, _grown(_around(parts), max(u, v) + _MARGIN_PX))
+    return _grown(_around(parts), max(u, v) + _MARGIN_PX)
 
 
 def _looked_at(job: FilterJob, join: Join) -> Extent | None:
