@@ -34,16 +34,18 @@ def write_pages(folder: Path, language: str) -> tuple[str, ...]:
 
     speaking = Language(QCoreApplication.instance() or QCoreApplication([]))
     speaking.speak(language)
-    folder.mkdir(parents=True)
-    pages = pages_in(language)
-    texts = {name: with_properties(page.text, sections()) for name, page in pages.items()}
-    texts["properties"] = "\n".join(properties_page(language))
-    texts["commands"] = "\n".join(commands_page(language))
-    texts["project-file"] = _project_file(language)
-    texts[FIRST] += "".join(_contents(texts[FIRST], language))
-    for name, text in texts.items():
-        (folder / f"{name}.md").write_text(_scripts_named(text), encoding="utf-8")
-    speaking.fall_silent()
+    try:
+        folder.mkdir(parents=True)
+        pages = pages_in(language)
+        texts = {name: with_properties(page.text, sections()) for name, page in pages.items()}
+        texts["properties"] = "\n".join(properties_page(language))
+        texts["commands"] = "\n".join(commands_page(language))
+        texts["project-file"] = _project_file(language)
+        texts[FIRST] += "".join(_contents(texts[FIRST], language))
+        for name, text in texts.items():
+            (folder / f"{name}.md").write_text(_scripts_named(text), encoding="utf-8")
+    finally:
+        speaking.fall_silent()
     return tuple(texts)
 
 

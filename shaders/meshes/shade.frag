@@ -14,6 +14,8 @@
 #endif
 #ifdef MESHES
 #include "meshes/light.glsl"
+#else
+const int LIT = 0, EDGE = 2;           // nothing takes the light
 #endif
 
 uniform vec4 u_ground;                 // hides what lies below it; positive on the side of the eye

@@ -208,8 +208,6 @@ def _side(blur: Blur, shadow: Extent, side: int, seen: tuple[float, float] | Non
     if farthest <= 0 or blur.sigma_at(farthest) <= SHARP_SIGMA_PX:
         return
     first = max(blur.distance_of(SHARP_SIGMA_PX), inner - grown)
-    if first >= farthest:
-        return
     for low, high, level in _cores(blur, shadow, first, farthest):
         core = (low, high) if side > 0 else (-high, -low)
         widest = blur.sigma_at(high)
