@@ -30,8 +30,6 @@ _OUTLINED_TEXELS = 64
 _FOR_OUTLINES = -1
 """In the place of a level: the target in which the length of a shadow is seen."""
 
-_NOT_KEPT = -2
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Kept:
@@ -64,7 +62,7 @@ class PlaneCast:
         self._caster = caster
         self._halving = HalvingPass(boxes)
         self._crop = Variants("passes/strips.vert", "passes/crop.frag")
-        self._sheets = SheetsPass(boxes, caster)
+        self._sheets = SheetsPass(boxes, caster, self._crop)
         self._wholes: dict[tuple[int, bool], Target] = {}
         self._kept: dict[int, _Kept] = {}
 
@@ -84,8 +82,9 @@ class PlaneCast:
             whole = self._whole_of(part.finest, levels.box, of_ground=of_ground)
             kept = self._kept.get(part.finest) if of_ground else None
             if kept is None or not kept.holds(job, matte, levels):
-                # A failure half-way leaves no one knows what.
-                self._kept.pop(part.finest if of_ground else _NOT_KEPT, None)
+                if of_ground:
+                    # A failure half-way leaves no one knows what.
+                    self._kept.pop(part.finest, None)
                 self._cast_levels(job, matte, chart, (whole, levels))
                 if of_ground:
                     self._kept[part.finest] = _Kept(_unfiltered(job.cast), matte, job.ground_from_blurred, levels)

@@ -15,17 +15,24 @@ from kagezou.render.prepare.strip_uniforms import STRIPS, slot_uniforms
 
 
 class SheetsPass:
-    """Casts on all sheets of a chart aside, each in its own slot, and lays them together."""
+    """Casts on all sheets of a chart aside, each in its own slot, and lays them together.
 
-    def __init__(self, boxes: Boxes, caster: CastPass) -> None:
+    Parameters
+    ----------
+    boxes, caster
+        What draws and casts.
+    crop
+        The programs that take parts of a picture to other places; closed by whoever made them.
+    """
+
+    def __init__(self, boxes: Boxes, caster: CastPass, crop: Variants) -> None:
         self._boxes = boxes
         self._caster = caster
-        self._crop = Variants("passes/strips.vert", "passes/crop.frag")
+        self._crop = crop
         self._aside: Target | None = None
 
     def close(self) -> None:
         """Give the memory back."""
-        self._crop.close()
         if self._aside is not None:
             self._aside.close()
 
