@@ -112,9 +112,9 @@ def shared_flow(
         lost = len(missing - forks.failed)
         if lost:
             say(Message("a process that shared the work ended by itself; {count} pictures were made again", count=lost))
-        left = [jobs[place] for place in sorted(missing)]
-        with closing(flow(left, steps, part.workers, part.window, cancelled)) as own:
-            yield from own
+        if left := [jobs[place] for place in sorted(missing)]:
+            with closing(flow(left, steps, part.workers, part.window, cancelled)) as own:
+                yield from own
 
 
 class _Forks(Generic[Made]):

@@ -1,7 +1,7 @@
 """What readers say of files, said once: what of a file was not used, and what of it had to be assumed."""
 
 from collections.abc import Iterable, Sequence
-from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 from kagezou.document.figure_properties import PLACEMENT_LINES
@@ -96,23 +96,18 @@ def notes_on_shown(document: Document, frames: Iterable[int] | None) -> tuple[Me
     made: list[Message] = []
     for name, cels in _cels(document):
         drawings = [cels.drawings[at] for at in dict.fromkeys(map(cels.index_at, seen)) if at is not None]
-        said = [_of_drawing(each) for each in drawings if each.path.is_file()]
-        made += said_once(name, [each for each in said if not isinstance(each, Message)])
-        made += _odd_sizes(document, name, drawings)
+        found = [_found(each) for each in drawings if each.path.is_file()]
+        made += said_once(name, [(each.path, each.notes) for each in found if each.problem is None])
+        made += _odd_sizes(document, name, found)
     return tuple(dict.fromkeys(made))
 
 
-def _odd_sizes(document: Document, name: str, drawings: Sequence[Drawing]) -> tuple[Message, ...]:
+def _odd_sizes(document: Document, name: str, found: Sequence["_Found"]) -> tuple[Message, ...]:
     """Return that drawings differ in size, unless the layer is placed anew for each, as parts of a document are."""
     layer = next((each for each in document.layers if each.name == name), None)
     if layer is None or _is_placed_anew(layer):
         return ()
-    sizes = []
-    for drawing in drawings:
-        with suppress(InputProblem):
-            info = probe(drawing.source)
-            sizes.append((drawing.path, info.width_px, info.height_px))
-    return odd_size(name, sizes)
+    return odd_size(name, [(each.path, *each.size_px) for each in found if each.size_px is not None])
 
 
 def _is_placed_anew(layer: Layer) -> bool:
@@ -125,18 +120,28 @@ def _cels(document: Document) -> tuple[tuple[str, Cels], ...]:
 
 
 def _of_drawings(name: str, drawings: Iterable[Drawing]) -> list[Message]:
-    said = [_of_drawing(drawing) for drawing in drawings if drawing.path.is_file()]
-    notes = said_once(name, [each for each in said if not isinstance(each, Message)])
-    return [*notes, *(each for each in said if isinstance(each, Message))]
+    found = [_found(drawing) for drawing in drawings if drawing.path.is_file()]
+    notes = said_once(name, [(each.path, each.notes) for each in found if each.problem is None])
+    return [*notes, *(each.problem for each in found if each.problem is not None)]
 
 
-def _of_drawing(drawing: Drawing) -> tuple[Path, tuple[Message, ...]] | Message:
-    """Return what is said of a drawing's file, or why it cannot be read."""
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """What the header of a drawing's file tells: its size, px, and what is said of it, or why it cannot be read."""
+
+    path: Path
+    size_px: tuple[int, int] | None = None
+    notes: tuple[Message, ...] = ()
+    problem: Message | None = None
+
+
+def _found(drawing: Drawing) -> _Found:
     try:
-        own = probe(drawing.source).notes
-        return drawing.path, (*own, *(_notes_on_psd(drawing.path) if is_psd(drawing.path) else ()))
+        info = probe(drawing.source)
+        more = _notes_on_psd(drawing.path) if is_psd(drawing.path) else ()
     except InputProblem as problem:
-        return problem.message
+        return _Found(drawing.path, problem=problem.message)
+    return _Found(drawing.path, (info.width_px, info.height_px), (*info.notes, *more))
 
 
 def _notes_on_psd(path: Path) -> tuple[Message, ...]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from statistics import median
 from typing import TypeAlias
 
 import numpy as np
@@ -120,7 +121,7 @@ def motion_of(sequence: Sequence[Seen], fps: float) -> Motion:
 
 def usual_exposure(frames: Floats) -> float:
     """Return for how many frames a drawing is seen in most cases; ``frames`` (N,) are the first ones of each."""
-    return float(np.median(np.diff(frames))) if frames.size > 1 else 1.0
+    return float(median(np.diff(frames).tolist())) if frames.size > 1 else 1.0
 
 
 def slide_of(motion: Motion) -> Floats:
@@ -149,6 +150,17 @@ def _ground_speed(motion: Motion) -> Floats:
         return np.zeros(steps)
     speeds = motion.vx[told, low[told]]
     width = min(_PAN_WINDOW, told.size)
-    medians = np.median(np.lib.stride_tricks.sliding_window_view(speeds, width), axis=1)
+    medians = _medians(np.lib.stride_tricks.sliding_window_view(speeds, width))
     middle = np.clip(np.searchsorted(told, rows) - width // 2, 0, medians.size - 1)
     return medians[middle]
+
+
+def _medians(rows: Floats) -> Floats:
+    """Return the median (N,) of each row (N, K).
+
+    That of numpy imports its masked arrays, for as long as two frames of an export take.
+    """
+    ordered = np.sort(rows, axis=1)
+    middle = ordered.shape[1] // 2
+    result: Floats = (ordered[:, (ordered.shape[1] - 1) // 2] + ordered[:, middle]) / 2
+    return result

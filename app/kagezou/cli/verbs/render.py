@@ -22,6 +22,7 @@ from kagezou.message import Message
 if TYPE_CHECKING:
     from kagezou.document.model import Document
     from kagezou.export.after.manifest import Handover
+    from kagezou.export.exporters.numbered_frames import NumberedFrames
     from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 
 _WORTH_SHARING: Final = 12
@@ -190,12 +191,21 @@ def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPo
 def _handover(options: Namespace, document: "Document", summary: "Summary") -> "Handover":
     """Return what is told of the frames to whatever runs after."""
     from kagezou.export.after.manifest import Handover
-    from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
-    from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
 
-    exporter = LAYERED_FRAMES if options.layered else SHADOW_LAYERS
+    exporter = _exporter(options)
     files = exporter.made_files(summary)
     return Handover(exporter.key, document, options.project, files, summary.is_whole, summary.notes)
+
+
+def _exporter(options: Namespace) -> "NumberedFrames":
+    """Return the exporter that has made the frames; the other one need not be imported."""
+    if options.layered:
+        from kagezou.export.exporters.layered_frames import LAYERED_FRAMES
+
+        return LAYERED_FRAMES
+    from kagezou.export.exporters.shadow_layers import SHADOW_LAYERS
+
+    return SHADOW_LAYERS
 
 
 def _document(options: Namespace) -> "Document":
