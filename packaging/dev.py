@@ -99,6 +99,7 @@ def set_up(verb: str, *, yes: bool = False) -> Environment:
     else:
         supply([*support, *HEADLESS], WINDOW, say, ask)
     environment.prepare(extra, say)
+    environment.compile_sources()
     return environment
 
 

@@ -164,6 +164,7 @@ def test_the_window_s_libraries_are_needed_only_where_a_window_can_open(
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     monkeypatch.setattr(modules.dev, "supply", lambda needed, wished, *_: asked.append((needed, wished)))
     monkeypatch.setattr(modules.venv.Environment, "prepare", lambda *_: None)
+    monkeypatch.setattr(modules.venv.Environment, "compile_sources", lambda _: None)
     modules.dev.set_up(verb)
     needed, wished = asked[0]
     assert set(modules.system.HEADLESS) <= set(needed)
@@ -181,6 +182,7 @@ def test_only_a_flag_or_a_ci_installs_without_asking(
     monkeypatch.setenv("CI", ci)
     monkeypatch.setattr(modules.dev, "supply", lambda _n, _w, _s, ask: asked.append(ask))
     monkeypatch.setattr(modules.venv.Environment, "prepare", lambda *_: None)
+    monkeypatch.setattr(modules.venv.Environment, "compile_sources", lambda _: None)
     monkeypatch.setattr(modules.dev.signal, "signal", quiet_signal)
     assert modules.dev.main(["setup", *arguments]) == 0
     assert asked == [modules.system.may_install if asks else modules.system.always]

@@ -1,7 +1,9 @@
 """When the set-up command makes, mends, keeps or believes the private Python environment."""
 
 import importlib
+import os
 import subprocess
+import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -63,6 +65,21 @@ def test_the_first_run_makes_and_fills_and_the_second_does_nothing(environment: 
     assert not environment.unfinished_mark.exists()
     environment.prepare("dev", quiet)
     assert len(commands) == 3
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a right of their own on Windows")
+def test_sources_are_compiled_even_where_python_may_not_write_what_it_compiles(
+    environment: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    environment.python.parent.mkdir(parents=True)
+    environment.python.symlink_to(sys.executable)
+    source = environment.root / "app" / "room" / "module.py"
+    source.parent.mkdir(parents=True)
+    source.write_text("VALUE = 1\n", encoding="ascii")
+    (source.parent / "broken.py").write_text("VALUE =\n", encoding="ascii")
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
+    environment.compile_sources()
+    assert [each.name.split(".")[0] for each in source.parent.glob("__pycache__/*.pyc")] == ["module"]
 
 
 def test_the_larger_installation_serves_the_smaller_need_and_not_the_other_way(
