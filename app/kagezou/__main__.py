@@ -30,8 +30,11 @@ PROJECT_SUFFIXES = (".kage", ".xdts", ".tdts", ".sts", ".psd", ".psb", ".oca")
 """What the window opens: projects, and the timesheets and files of layers that drawing programs hand over."""
 
 
-_UNCOLLECTED = 50_000
+_UNCOLLECTED_AT_START = 200_000
 """So many new objects before Python looks for circles of them: by its own 700 it does little else while importing."""
+
+_UNCOLLECTED_IN_WINDOW = 50_000
+"""In a window a look at more of them would be felt while something is dragged."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -64,9 +67,15 @@ def _opened(words: Sequence[str]) -> int:
 
 def _start_lean() -> None:
     """Spare what takes long where a frame is made within a second."""
-    gc.set_threshold(_UNCOLLECTED)
+    gc.set_threshold(_UNCOLLECTED_AT_START)
     # Threads for matrices, which numpy starts when it is imported; here they are of three rows.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+def _go_on_lean() -> None:
+    """Leave alone what has been imported for a window, which stays, and look at the new more often."""
+    gc.freeze()
+    gc.set_threshold(_UNCOLLECTED_IN_WINDOW)
 
 
 def program() -> NoReturn:
@@ -102,6 +111,7 @@ def open_window(project: Path | None) -> int:
     except ImportError as error:
         tell(f"the window cannot be opened: {error} (kagezou doctor says what is missing)")
         return GraphicsProblem.exit_code
+    _go_on_lean()
     return run(project, make_demo=make_demo)
 
 
@@ -109,6 +119,7 @@ def measure_window(walk: "Document", crowd: "Document") -> tuple[str, "Sequence[
     """Open the window and measure how it answers a hand."""
     from kagezou.ui.measuring.window_bench import measured
 
+    _go_on_lean()
     return measured(walk, crowd)
 
 

@@ -301,7 +301,7 @@ class TestWork:
     def test_while_only_the_filter_changes_the_shadow_is_the_one_that_would_be_cast(
         self, renderer: Renderer, figure: Path
     ) -> None:
-        steps = ((18.0, 60.0), (22.0, 60.0), (22.0, 90.0), (9.0, 400.0), (40.0, 0.0))
+        steps = ((18.0, 60.0), (22.0, 60.0), (22.0, 90.0), (9.0, 400.0), (12.0, 0.0), (40.0, 0.0), (13.0, 0.0))
         kept = [coverage(renderer, simplified(figure, "plain", *step)) for step in steps]
         other = Renderer(CelCache())
         for step, known in zip(steps, kept, strict=True):

@@ -17,28 +17,33 @@ class HalvingPass:
         self._programs = Variants("common/box.vert", "passes/halve.frag")
         self._aside: Target | None = None
 
-    def fill(self, shadow: Target, levels: ShadowLevels, held: Box) -> None:
-        """Fill the levels but the finest; they are empty before.
+    def fill(self, shadow: Target, levels: ShadowLevels, span: tuple[int, int], held: Box | None) -> Box | None:
+        """Fill some levels, which are empty before, each from the one before it.
 
         Parameters
         ----------
         shadow, levels
             What holds them, and how.
+        span
+            The level that is there, and the last one that is to be filled.
         held
-            Where the finest may hold anything, px of the target.
+            Where the one that is there may hold anything, px from its corner; returned is that of the last.
         """
+        first, last = span
         aside = self._aside_of(levels)
-        for level in range(levels.finest, levels.coarsest):
+        for level in range(first, last):
+            if held is None:
+                break
             source, goal = levels.box_of(level), levels.box_of(level + 1)
             part = halved(held).intersection(Box(0, 0, goal.width, goal.height))
-            if part is None:
-                return
-            across = Box(part.left, held.top, part.right, held.bottom)
-            here = (source.left, source.top)
-            self._halve((shadow, here), (aside, (0, 0)), across, along_v=False, known=(held.left, held.right))
-            there = (goal.left, goal.top)
-            self._halve((aside, (0, 0)), (shadow, there), part, along_v=True, known=(held.top, held.bottom))
+            if part is not None:
+                across = Box(part.left, held.top, part.right, held.bottom)
+                here = (source.left, source.top)
+                self._halve((shadow, here), (aside, (0, 0)), across, along_v=False, known=(held.left, held.right))
+                there = (goal.left, goal.top)
+                self._halve((aside, (0, 0)), (shadow, there), part, along_v=True, known=(held.top, held.bottom))
             held = part
+        return held
 
     def close(self) -> None:
         """Give the memory back."""

@@ -33,12 +33,20 @@ _FOR_OUTLINES = -1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Kept:
-    """What was cast on the ground last; while only the filter changes it need not be cast again."""
+    """What was cast on the ground last; while only the filter changes it need not be cast again.
+
+    Parameters
+    ----------
+    filled, held
+        The coarsest level that is there, and where it may hold anything.
+    """
 
     cast: ShadowCast
     matte: PlacedMatte
     ground_from_blurred: Matrix
     levels: ShadowLevels
+    filled: int
+    held: Box | None
 
     def holds(self, job: FilterJob, matte: PlacedMatte, levels: ShadowLevels) -> bool:
         """Return whether it is what a job wants."""
@@ -80,18 +88,21 @@ class PlaneCast:
         for part in cast_parts(chart):
             levels = part.levels(chart)
             whole = self._whole_of(part.finest, levels.box, of_ground=of_ground)
-            kept = self._kept.get(part.finest) if of_ground else None
+            # A failure half-way leaves no one knows what.
+            kept = self._kept.pop(part.finest, None) if of_ground else None
             if kept is None or not kept.holds(job, matte, levels):
-                if of_ground:
-                    # A failure half-way leaves no one knows what.
-                    self._kept.pop(part.finest, None)
-                self._cast_levels(job, matte, chart, (whole, levels))
-                if of_ground:
-                    self._kept[part.finest] = _Kept(_unfiltered(job.cast), matte, job.ground_from_blurred, levels)
+                held = self._cast(job, matte, chart, (whole, levels))
+                kept = _Kept(_unfiltered(job.cast), matte, job.ground_from_blurred, levels, part.finest, held)
+            coarsest = max(part.served)
+            if kept.filled < coarsest:
+                held = self._halving.fill(whole, levels, (kept.filled, coarsest), kept.held)
+                kept = replace(kept, filled=coarsest, held=held)
+            if of_ground:
+                self._kept[part.finest] = kept
             self._fill_strips([strip for strip in chart.strips if part.is_for(strip)], levels, whole, shadow)
 
-    def _cast_levels(self, job: FilterJob, matte: PlacedMatte, chart: Chart, goal: tuple[Target, ShadowLevels]) -> None:
-        """Cast the shadow of a chart, and fill its coarser levels."""
+    def _cast(self, job: FilterJob, matte: PlacedMatte, chart: Chart, goal: tuple[Target, ShadowLevels]) -> Box | None:
+        """Cast the shadow of a chart as fine as it is to be; return the box that may hold it."""
         whole, levels = goal
         whole.clear(levels.box)
         box = levels.box_of(levels.finest)
@@ -101,8 +112,7 @@ class PlaneCast:
         held = self._caster.unite(view.cast, matte, whole, window.seen_through(view.canvas_from_blurred))
         if chart.number != GROUND_CHART:
             held = self._sheets.lay((job, matte, chart), (whole, held), window)
-        if held is not None:
-            self._halving.fill(whole, levels, held)
+        return held
 
     def _fill_strips(self, strips: Sequence[Strip], levels: ShadowLevels, whole: Target, shadow: Target) -> None:
         """Fill strips from the pictures of the shadow that are as fine."""

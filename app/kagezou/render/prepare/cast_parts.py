@@ -13,7 +13,7 @@ _COARSEST_CAST = 1
 """Means of a finer cast cost less than one whose every texel is split into many cells."""
 
 _LEAST_COARSEST = 4
-"""At least down to this level a coarse cast is made coarser, so that a wider blur finds it there."""
+"""At least down to this level there is room for what a coarse cast is made coarser to: a wider blur wants no new one."""
 
 _MOST_TEXELS = 4096
 """Along a side of the finest picture of a shadow, unless a strip of it has to be finer."""
