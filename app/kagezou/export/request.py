@@ -4,13 +4,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from kagezou.errors import UsageProblem
-from kagezou.export.file_kinds import FileCount
 from kagezou.export.file_names import FileNames
-from kagezou.export.made_files import MadeFile
 from kagezou.message import Message
+
+if TYPE_CHECKING:  # what is asked for is looked at before all that makes it is imported
+    from kagezou.export.file_kinds import FileCount
+    from kagezou.export.made_files import MadeFile
 
 SUFFIXES: Final = {"png": ".png", "tga": ".tga", "tiff": ".tif", "exr": ".exr"}
 """The formats and the suffix of their files."""
@@ -205,8 +207,8 @@ class Summary:
     names: dict[str, str]
     seconds: float
     notes: tuple[Message, ...] = ()
-    counts: tuple[FileCount, ...] = ()
-    made: tuple[MadeFile, ...] = ()
+    counts: tuple["FileCount", ...] = ()
+    made: tuple["MadeFile", ...] = ()
 
     @property
     def is_whole(self) -> bool:

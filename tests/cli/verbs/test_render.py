@@ -260,9 +260,10 @@ def test_bench_reports_what_was_measured(shell: Shell, tmp_path: Path, monkeypat
     ]
     for each in report["operations"]:
         assert each["fps"] == pytest.approx(1000 / each["median_ms"], rel=0.02)
-        assert each["ratio"] == pytest.approx(each["median_ms"] / report["copy_ms"], rel=0.05)
+        assert each["ratio"] == pytest.approx(each["median_ms"] / report["copy_ms"], rel=0.05, abs=0.06)
     for export in (report["export"], report["export_two_layers"]):
-        assert export["of_floor"] == pytest.approx(export["fps"] / export["floor_fps"], rel=0.02)
+        # Told in thousandths; where other work takes the machine they are few.
+        assert export["of_floor"] == pytest.approx(export["fps"] / export["floor_fps"], rel=0.02, abs=1e-3)
     assert report["export_two_layers"]["size"] == [80, 60]
     assert shell("bench", "--input", drawings) == 0
     assert "frame step" in shell.out

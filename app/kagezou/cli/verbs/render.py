@@ -3,6 +3,7 @@
 from argparse import Namespace
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 
 _WORTH_SHARING: Final = 12
+_LIBRARIES: Final = ("kagezou.io.images.cel_cache", "concurrent.futures.thread")
+"""What loads libraries that a frame wants: while the driver loads its own no other can be."""
 
 DESCRIPTION = """\
 Write each layer's shadow as DIR/NAME_shadow/NAME_shadow_0001.png ...: the shadow's colour everywhere, straight alpha,
@@ -111,12 +114,7 @@ def _add_running(parser: Parser) -> None:
 
 def run(options: Namespace, entry_points: EntryPoints) -> int:
     """Render what is asked for."""
-    from kagezou.export.after.hooks import check_command
-
-    check_command(options.after)
-    form = options.format or ("psd" if options.layered else "png")
-    depth, said = _depth(options, form)
-    request = _request(options, form, depth)
+    request, said = _request(options)
     if options.watch:
         return _watched(options, request, entry_points)
     lines = JobLines() if options.openjd else entry_points.line("rendering")
@@ -125,7 +123,8 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             if isinstance(lines, JobLines) and said is not None:
                 lines.say(said)
             document = _document(options)
-            summary = _made(document, request, entry_points, line.update, interruption)
+            with _loading_driver(document, request):
+                summary = _made(document, request, entry_points, line.update, interruption)
             if isinstance(lines, JobLines):
                 lines.sum_up(summary)
         if not options.openjd:
@@ -143,14 +142,13 @@ def _made(
     interruption: Interruption,
 ) -> "Summary":
     """Make the frames, and add what is to be said of the drawings they show."""
-    with _loading_driver(document, request):
-        from kagezou.export.frames import export_frames
-        from kagezou.importing.file_notes import notes_on_shown
-        from kagezou.scene.heavy_sets import heavy_words
+    from kagezou.export.frames import export_frames
+    from kagezou.importing.file_notes import notes_on_shown
+    from kagezou.scene.heavy_sets import heavy_words
 
-        if (words := heavy_words(document)) is not None:
-            note(words)
-        summary = export_frames(document, request, entry_points.open_context, progress, interruption.is_set)
+    if (words := heavy_words(document)) is not None:
+        note(words)
+    summary = export_frames(document, request, entry_points.open_context, progress, interruption.is_set)
     # Afterwards, when the files are at hand; nothing was read of what is trusted.
     notes = notes_on_shown(document, request.frames) if summary.drawn else ()
     return replace(summary, notes=(*summary.notes, *notes))
@@ -164,8 +162,11 @@ def _loading_driver(document: "Document", request: "ExportRequest") -> AbstractC
     from kagezou.render.gpu.context import loading_driver
 
     frames = document.canvas.length_frames if request.frames is None else len(request.frames)
-    may_share = request.workers > 1 and frames >= _WORTH_SHARING and not document.pieces
-    return nullcontext() if may_share else loading_driver()
+    if request.workers > 1 and frames >= _WORTH_SHARING and not document.pieces:
+        return nullcontext()
+    for name in _LIBRARIES:
+        import_module(name)
+    return loading_driver()
 
 
 def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPoints) -> int:
@@ -247,11 +248,16 @@ def _depth(options: Namespace, form: str) -> tuple[int, Message | None]:
     )
 
 
-def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
+def _request(options: Namespace) -> tuple["ExportRequest", Message | None]:
+    """Return what is asked for, and what is to be said of it; UsageProblem where it cannot be done."""
     from kagezou.animation.frames import parse_frames
+    from kagezou.export.after.hooks import check_command
     from kagezou.export.request import ExportRequest
 
-    return ExportRequest(
+    check_command(options.after)
+    form = options.format or ("psd" if options.layered else "png")
+    depth, said = _depth(options, form)
+    request = ExportRequest(
         folder=options.output,
         frames=None if options.frames is None else parse_frames(options.frames),
         layers=None if options.layer is None else tuple(options.layer),
@@ -268,3 +274,4 @@ def _request(options: Namespace, form: str, depth: int) -> "ExportRequest":
         names=names_of(options),
         missing=missing_of(options),
     )
+    return request, said

@@ -13,14 +13,16 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Final
+from typing import IO, TYPE_CHECKING, Final
 
 from kagezou.document.value_words import Json
 from kagezou.errors import AfterExportFailed, UsageProblem
-from kagezou.export.after.manifest import Handover, manifest_of
 from kagezou.io.files.faults import cause_of
 from kagezou.message import Message
 from kagezou.own_process import module_words, script_words
+
+if TYPE_CHECKING:  # a command is looked at before all that is handed to it is imported
+    from kagezou.export.after.manifest import Handover
 
 COMMAND_VARIABLE: Final = "KAGEZOU_AFTER_EXPORT"
 MANIFEST_VARIABLE: Final = "KAGEZOU_MANIFEST"
@@ -75,7 +77,7 @@ def _said(command: str | None) -> str | None:
     return os.environ.get(COMMAND_VARIABLE) if command is None else command
 
 
-def hand_on(over: Handover, hooks: Iterable[Hook], stopped: Callable[[], bool]) -> tuple[Message, ...]:
+def hand_on(over: "Handover", hooks: Iterable[Hook], stopped: Callable[[], bool]) -> tuple[Message, ...]:
     """Run the hooks one after the other, all of them, and return what is to be said.
 
     An export that is not whole is not handed on, which is said.
@@ -99,6 +101,8 @@ def hand_on(over: Handover, hooks: Iterable[Hook], stopped: Callable[[], bool]) 
         return (Message("not handed on to {hook}, as the export is not whole", hook=waiting[0].name),)
     notes: list[Message] = []
     failed: AfterExportFailed | None = None
+    from kagezou.export.after.manifest import manifest_of
+
     with manifest_file(manifest_of(over)) as path:
         for hook in waiting:
             try:

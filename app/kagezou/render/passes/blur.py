@@ -11,6 +11,7 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Variants
+from kagezou.render.gpu.scratches import GrowingTarget
 from kagezou.render.gpu.targets import Format, Target, Texture
 from kagezou.render.passes.cast import CastPass
 from kagezou.render.passes.plane_cast import PlaneCast
@@ -59,13 +60,14 @@ class BlurPass:
         self._blur = Variants("passes/strips.vert", "passes/blur.frag")
         self._full = Variants("common/box.vert", "common/full.frag")
         self._plane = PlaneCast(boxes, caster)
-        self._atlases: tuple[Target, Target, Target] | None = None
+        # For the shadow, for it blurred one way, and both ways. A wide blur of a small shadow leaves values so small
+        # that only floating point keeps them apart.
+        self._shadow, self._half, self._blurred = map(GrowingTarget, (Format.ALPHA16, Format.FLOAT, Format.FLOAT))
 
     @property
     def texture(self) -> Texture:
         """What was blurred last."""
-        assert self._atlases is not None
-        return self._atlases[2].texture
+        return self._blurred.target.texture
 
     def stretch(self, cast: ShadowCast, matte: PlacedMatte, canvas_from_plane: Matrix) -> Matrix:
         """Return the ``ground_from_blurred`` (2, 2) of a cast's kernel: as long as the shadow, where that is asked."""
@@ -75,7 +77,10 @@ class BlurPass:
 
     def blurred(self, job: FilterJob, matte: PlacedMatte, receivers: Receivers) -> Blurred:
         """Blur a job; what is returned holds until the next one is made."""
-        shadow, half, blurred = self._atlases_for(job.strips)
+        width = max((strip.box.right for strip in job.strips), default=1)
+        height = max((strip.box.bottom for strip in job.strips), default=1)
+        atlases = (self._shadow, self._half, self._blurred)
+        shadow, half, blurred = (each.at_least(width, height) for each in atlases)
         for chart in job.charts:
             self._plane.fill(job, matte, chart, shadow)
         # What lies beside the narrow strips is not read.
@@ -105,8 +110,8 @@ class BlurPass:
         self._blur.close()
         self._full.close()
         self._plane.close()
-        for target in self._atlases or ():
-            target.close()
+        for atlas in (self._shadow, self._half, self._blurred):
+            atlas.close()
 
     def _sum(
         self, way: tuple[Target, Target], direction: frozenset[str], parts: Sequence[_Part], uniforms: Uniforms
@@ -130,25 +135,6 @@ class BlurPass:
         boxes, numbers = numbered(summed)
         self._boxes.load_numbered(boxes, numbers)
         self._boxes.draw_loaded(0, len(boxes))
-
-    def _atlases_for(self, strips: tuple[Strip, ...]) -> tuple[Target, Target, Target]:
-        """Return targets of at least the strips' size: for the shadow, and for it blurred one way and both ways.
-
-        A wide blur of a small shadow leaves values so small that only floating point keeps them apart.
-        """
-        width = max((strip.box.right for strip in strips), default=1)
-        height = max((strip.box.bottom for strip in strips), default=1)
-        old = self._atlases
-        if old is None or old[0].box.width < width or old[0].box.height < height:
-            for target in old or ():
-                width, height = max(width, target.box.width), max(height, target.box.height)
-                target.close()
-            self._atlases = None
-            forms = (Format.ALPHA16, Format.FLOAT, Format.FLOAT)
-            shadow, half, blurred = (Target(width, height, form) for form in forms)
-            self._atlases = (shadow, half, blurred)
-        assert self._atlases is not None
-        return self._atlases
 
 
 def _is_large(strip: Strip) -> bool:

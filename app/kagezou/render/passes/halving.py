@@ -3,6 +3,7 @@
 from kagezou.geometry.box import Box
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.program import Variants
+from kagezou.render.gpu.scratches import GrowingTarget
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.prepare.shadow_levels import ShadowLevels, halved
 
@@ -15,7 +16,7 @@ class HalvingPass:
     def __init__(self, boxes: Boxes) -> None:
         self._boxes = boxes
         self._programs = Variants("common/box.vert", "passes/halve.frag")
-        self._aside: Target | None = None
+        self._aside = GrowingTarget(Format.ALPHA16)
 
     def fill(self, shadow: Target, levels: ShadowLevels, span: tuple[int, int], held: Box | None) -> Box | None:
         """Fill some levels, which are empty before, each from the one before it.
@@ -30,7 +31,7 @@ class HalvingPass:
             Where the one that is there may hold anything, px from its corner; returned is that of the last.
         """
         first, last = span
-        aside = self._aside_of(levels)
+        aside = self._aside.at_least(levels.width // 2, levels.height)
         for level in range(first, last):
             if held is None:
                 break
@@ -48,8 +49,7 @@ class HalvingPass:
     def close(self) -> None:
         """Give the memory back."""
         self._programs.close()
-        if self._aside is not None:
-            self._aside.close()
+        self._aside.close()
 
     def _halve(
         self,
@@ -75,14 +75,3 @@ class HalvingPass:
             }
         )
         self._boxes.draw_one(box)
-
-    def _aside_of(self, levels: ShadowLevels) -> Target:
-        """Return a target with room for what is half as wide."""
-        width, height = max(levels.width // 2, 1), levels.height
-        old = self._aside
-        if old is None or old.box.width < width or old.box.height < height:
-            if old is not None:
-                width, height = max(width, old.box.width), max(height, old.box.height)
-                old.close()
-            self._aside = old = Target(width, height, Format.ALPHA16)
-        return old

@@ -11,6 +11,7 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Variants
+from kagezou.render.gpu.scratches import GrowingTarget
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.passes.halving import HalvingPass
@@ -71,7 +72,7 @@ class PlaneCast:
         self._halving = HalvingPass(boxes)
         self._crop = Variants("passes/strips.vert", "passes/crop.frag")
         self._sheets = SheetsPass(boxes, caster, self._crop)
-        self._wholes: dict[tuple[int, bool], Target] = {}
+        self._wholes: dict[tuple[int, bool], GrowingTarget] = {}
         self._kept: dict[int, _Kept] = {}
 
     def close(self) -> None:
@@ -79,8 +80,8 @@ class PlaneCast:
         self._halving.close()
         self._crop.close()
         self._sheets.close()
-        for target in self._wholes.values():
-            target.close()
+        for growing in self._wholes.values():
+            growing.close()
 
     def fill(self, job: FilterJob, matte: PlacedMatte, chart: Chart, shadow: Target) -> None:
         """Cast the shadow, at least as fine as any strip wants it, and fill a chart's strips with it."""
@@ -141,17 +142,10 @@ class PlaneCast:
 
     def _whole_of(self, finest: int, box: Box, *, of_ground: bool) -> Target:
         """Return a target of at least a size for the shadow before it is blurred."""
-        width, height = box.width, box.height
-        old = self._wholes.get((finest, of_ground))
-        if old is None or old.box.width < width or old.box.height < height:
-            if old is not None:
-                width, height = max(width, old.box.width), max(height, old.box.height)
-                old.close()
-                del self._wholes[finest, of_ground]
-            if of_ground:
-                self._kept.pop(finest, None)
-            old = self._wholes[finest, of_ground] = Target(width, height, Format.ALPHA16)
-        return old
+        growing = self._wholes.setdefault((finest, of_ground), GrowingTarget(Format.ALPHA16))
+        if of_ground and not growing.holds(box.width, box.height):
+            self._kept.pop(finest, None)
+        return growing.at_least(box.width, box.height)
 
 
 def _cells_at(level: int) -> int:

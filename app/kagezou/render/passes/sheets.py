@@ -7,7 +7,8 @@ from kagezou.geometry.vectors import Matrix
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Variants
-from kagezou.render.gpu.targets import Target
+from kagezou.render.gpu.scratches import GrowingTarget
+from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of
 from kagezou.render.prepare.sheet_slots import SheetSlot, SheetSlots, sheet_slots
@@ -29,12 +30,11 @@ class SheetsPass:
         self._boxes = boxes
         self._caster = caster
         self._crop = crop
-        self._aside: Target | None = None
+        self._aside = GrowingTarget(Format.ALPHA16)
 
     def close(self) -> None:
         """Give the memory back."""
-        if self._aside is not None:
-            self._aside.close()
+        self._aside.close()
 
     def lay(
         self, asked: tuple[FilterJob, PlacedMatte, Chart], goal: tuple[Target, Box | None], window: Window
@@ -57,7 +57,7 @@ class SheetsPass:
         picture_from_flat: Matrix = np.asarray(np.linalg.inv(stretch @ window.canvas_from_target), np.float64)
         outlines = job.development.outlines(chart.number, beyond_of(job, chart))
         for together in sheet_slots(outlines, picture_from_flat, window.box):
-            aside = self._aside_for(together.box, whole)
+            aside = self._aside.at_least(together.box.width, together.box.height)
             aside.clear(together.box)
             cast = [self._cast(job, matte, slot, (aside, window)) for slot in together.slots]
             held = around(held, *cast)
@@ -81,14 +81,3 @@ class SheetsPass:
         uniforms = slot_uniforms(together.slots)
         self._crop[STRIPS].use({"u_target_size_px": whole.size_px, "u_source": 0, **uniforms})
         self._boxes.draw_triangles(together.triangles)
-
-    def _aside_for(self, box: Box, like: Target) -> Target:
-        """Return a target of at least a size."""
-        width, height, old = box.width, box.height, self._aside
-        if old is None or old.box.width < width or old.box.height < height:
-            if old is not None:
-                width, height = max(width, old.box.width), max(height, old.box.height)
-                old.close()
-                self._aside = None
-            old = self._aside = Target(width, height, like.texture.form)
-        return old

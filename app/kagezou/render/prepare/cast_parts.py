@@ -13,7 +13,7 @@ _COARSEST_CAST = 1
 """Means of a finer cast cost less than one whose every texel is split into many cells."""
 
 _LEAST_COARSEST = 4
-"""At least down to this level there is room for what a coarse cast is made coarser to: a wider blur wants no new one."""
+"""Down to this level there is room at least for what a coarse cast is halved to: a wider blur wants no new one."""
 
 _MOST_TEXELS = 4096
 """Along a side of the finest picture of a shadow, unless a strip of it has to be finer."""
@@ -59,9 +59,13 @@ def cast_parts(chart: Chart) -> tuple[CastPart, ...]:
     """Return the pictures that a chart's strips are made of, the finest first."""
     least = _least_level(chart.extent)
     wanted = {strip: _finest_for(strip.band.level, least) for strip in chart.strips}
-    finest = min(wanted.values(), default=0)
-    if chart.number != GROUND_CHART and _texels(chart.extent, finest) <= _SMALL_TEXELS:
-        wanted = dict.fromkeys(wanted, finest)
+    if chart.number != GROUND_CHART and wanted:
+        # To cast on sheets costs more than what it saves to have some strips made of a finer cast.
+        if min(strip.band.level for strip in wanted) >= _COARSEST_CAST:
+            wanted = {strip: max(own, _COARSEST_CAST) for strip, own in wanted.items()}
+        finest = min(wanted.values())
+        if _texels(chart.extent, finest) <= _SMALL_TEXELS:
+            wanted = dict.fromkeys(wanted, finest)
     return tuple(
         _part(each, [strip for strip, own in wanted.items() if own == each]) for each in sorted(set(wanted.values()))
     )
