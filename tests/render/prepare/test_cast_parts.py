@@ -66,7 +66,7 @@ def test_a_small_chart_with_sheets_is_cast_once() -> None:
 
 
 def test_a_chart_with_sheets_that_lies_far_from_the_contact_line_is_cast_once_and_no_finer_than_it_is_blurred() -> None:
-    far = Extent(-600.0, -880.0, 560.0, -25.0)
+    far = Extent(-600.0, -880.0, 560.0, -60.0)
     (only,) = parts_of_sheets(far)
     assert only.finest == min(only.served) == 1
     assert [part.finest for part in cast_parts(job_with(Blur(40.0, 200.0), far).charts[0])] == [0, 1]
