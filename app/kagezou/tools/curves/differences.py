@@ -37,8 +37,7 @@ def differing_span(before: CurvePicture, after: CurvePicture) -> Span:
 
 def _look(picture: CurvePicture) -> tuple[object, ...]:
     """Return what the whole of a curve is drawn by; one with chosen keys stands out."""
-    is_hot = any(mark.is_chosen for mark in picture.keys)
-    return picture.curve, is_hot, len(picture.keys), picture.line.frames.shape
+    return picture.curve, bool(picture.chosen), len(picture.keys), picture.line.frames.shape
 
 
 def _seen(mark: KeyMark) -> tuple[object, ...]:

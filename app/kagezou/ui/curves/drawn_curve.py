@@ -79,9 +79,8 @@ class DrawnCurve:
 
     @cached_property
     def _pen(self) -> QPen:
-        hot = any(mark.is_chosen for mark in self.picture.keys)
         dash = {"dash": self._dash} if self._dash else {}
-        return QPen(pg.mkPen(self.picture.curve.color, width=2 if hot else 1, **dash))
+        return QPen(pg.mkPen(self.picture.curve.color, width=2 if self.picture.chosen else 1, **dash))
 
     @cached_property
     def _whole(self) -> QPainterPath:

@@ -109,7 +109,7 @@ class Graph(pg.PlotWidget):
     def fit_chosen(self) -> None:
         """Show the selected keys with their neighbourhood, or everything if none are selected."""
         frames = [mark.frame for picture in self.pictures for mark in picture.keys if mark.is_chosen]
-        chosen = tuple(picture for picture in self.pictures if any(mark.is_chosen for mark in picture.keys))
+        chosen = tuple(picture for picture in self.pictures if picture.chosen)
         if not frames:
             self.fit_all()
             return
