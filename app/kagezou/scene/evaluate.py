@@ -1,6 +1,7 @@
 """From a document and a frame to the scene."""
 
 from dataclasses import replace
+from functools import partial
 from math import floor
 
 from kagezou.document import properties, set_properties
@@ -16,6 +17,7 @@ from kagezou.geometry.vectors import Vector3, Vector4
 from kagezou.scene.contact_patches import contact_at
 from kagezou.scene.figure_card import Moment, card_of
 from kagezou.scene.filters import Edge, Simplify, Water
+from kagezou.scene.known_layers import KnownLayers
 from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
 from kagezou.scene.mirroring import reflection_at
 from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
@@ -41,18 +43,22 @@ LEAST_PX = 0.01
 _FARTHEST_PX = 1000.0
 
 
-def evaluate(document: Document, frame: int) -> Scene:
-    """Return the scene of a frame, counted from 1; invisible layers are left out."""
+def evaluate(document: Document, frame: int, known: KnownLayers | None = None) -> Scene:
+    """Return the scene of a frame, counted from 1; invisible layers are left out.
+
+    Parameters
+    ----------
+    known
+        What layers were when they were evaluated last; it learns what they are now.
+    """
     camera = camera_at(document, frame)
     ground = ground_at(document, frame)
     pieces = pieces_at(document, frame, camera, ground)
     has_ground = value_at(document.tracks, set_properties.GROUND_RECEIVES, frame)
     stands = Moment(document, frame, camera, ground)
-    layers = tuple(
-        _on_set(_layer_scene(stands, layer), pieces, has_ground=has_ground)
-        for layer in document.layers
-        if value_at(layer.tracks, properties.VISIBLE, frame)
-    )
+    seen = [layer for layer in document.layers if value_at(layer.tracks, properties.VISIBLE, frame)]
+    scenes = (known or KnownLayers()).scenes(document, frame, seen, partial(_layer_scene, stands))
+    layers = tuple(_on_set(scene, pieces, has_ground=has_ground) for scene in scenes)
     receiving = {layer.id for layer in document.layers if value_at(layer.tracks, properties.RECEIVES, frame)}
     layers = with_received(layers, receiving)
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))

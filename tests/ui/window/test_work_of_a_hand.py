@@ -1,15 +1,19 @@
 """Work of hands that are faster than the window: counted, never timed."""
 
+from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt
+from PySide6.QtGui import QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QApplication, QTableWidget, QWidget
 from pytestqt.qtbot import QtBot
 
+from kagezou.animation.track import Interpolation
 from kagezou.document.address import Address
-from kagezou.document.edits import set_key
-from kagezou.document.properties import OF_LAYER
+from kagezou.document.edits import rename_layer, set_canvas, set_constant, set_key
+from kagezou.document.key_edits import KeyRef
+from kagezou.document.properties import GROUND_ROLL, OF_LAYER
+from kagezou.ui.curves.graph import Graph
 from kagezou.ui.widgets.once_a_paint import OnceAPaint
 from kagezou.ui.window.main_window import MainWindow
 
@@ -110,6 +114,130 @@ def test_a_drag_in_the_graph_draws_the_curve_that_changed_and_reads_no_list(walk
     gesture.commit()
     assert editor.table.rowCount() == rows
     assert _first_value(editor.table) != first
+
+
+def _graph_of_twelve_keys(window: MainWindow) -> tuple[Graph, Address]:
+    """Two curves of a key on every frame, settled and painted; and what the first of them is of."""
+    bridge, document = window.parts.bridge, window.parts.bridge.document
+    addresses = [Address(OF_LAYER[name], document.layers[0].id) for name in ("shadow.opacity", "shadow.simplify")]
+    document = set_canvas(document, replace(document.canvas, length_frames=12))
+    for number, address in enumerate(addresses):
+        for frame in range(1, 13):
+            document = set_key(document, address, frame, 0.1 * (number + frame % 7), Interpolation.BEZIER)
+    bridge.session.edit("Keys", document)
+    window.parts.actions["curves"].trigger()
+    graph = window.parts.curves.made().graph
+    graph.fit_all()
+    bridge.session.select_keys(frozenset({KeyRef(addresses[0], 6)}))
+    QApplication.processEvents()
+    graph.grab()
+    return graph, addresses[0]
+
+
+def test_a_dragged_key_paints_its_curve_anew_between_its_neighbours_and_no_other(walking: MainWindow) -> None:
+    graph, address = _graph_of_twelve_keys(walking)
+    gesture = walking.parts.bridge.session.begin("Drag")
+    gesture.show(set_key(walking.parts.bridge.document, address, 6, 0.3))
+    graph.grab()
+    resting, moving = graph.drawn.resting, graph.drawn.moving
+    painted, moved = [each.times_painted for each in resting], [each.times_painted for each in moving]
+    for times, value in enumerate((0.4, 0.5, 0.55), start=1):
+        gesture.show(set_key(walking.parts.bridge.document, address, 6, value))
+        graph.grab()
+        assert [each.times_painted for each in resting] == painted
+        assert [each.times_painted for each in moving] == [before + times for before in moved]
+        # Qt takes one unit of the graph more to each side.
+        room = 1 + 12 * graph.view.viewPixelSize()[0]
+        for first, last in (each.painted for each in moving):
+            assert 5 - room < first <= 5 < 7 <= last < 7 + room
+    seen = graph.grab().toImage()
+    for sheet in (*resting, *moving):
+        sheet.update()
+    assert graph.grab().toImage() == seen, "of parts painted anew the same comes as of the whole"
+    gesture.cancel()
+
+
+def test_a_dragged_key_leaves_marks_on_the_picture_rows_and_other_layers_alone(walking: MainWindow) -> None:
+    viewport, bridge = walking.parts.viewport, walking.parts.bridge
+    twin = replace(bridge.document.layers[0], id="twin", name="Twin")
+    bridge.session.edit("Twin", replace(bridge.document, layers=(*bridge.document.layers, twin)))
+    address = Address(OF_LAYER["shadow.opacity"], bridge.document.layers[0].id)
+    bridge.session.edit("Key", set_key(bridge.document, address, 1, 0.9))
+    painter, overlay, rows = viewport.frame_painter, viewport.overlay, walking.parts.panels.layers.model
+    assert painter is not None
+    for _ in range(3):
+        viewport.grab()
+    told: list[object] = []
+    rows.dataChanged.connect(lambda *_: told.append(rows))
+    made, marks, pictures = painter.layers.times_made, overlay.kept.times_painted, painter.pictures_drawn
+    gesture = bridge.session.begin("Drag")
+    for times, value in enumerate((0.3, 0.4, 0.5), start=1):
+        gesture.show(set_key(bridge.document, address, 1, value))
+        viewport.grab()
+        assert painter.pictures_drawn == pictures + times, "the picture shows the key that moves"
+        assert painter.layers.times_made == made + times, "one layer of two"
+    assert overlay.kept.times_painted == marks
+    assert told == []
+    gesture.commit()
+    bridge.session.edit("Rename", rename_layer(bridge.document, "twin", "Other"))
+    assert told
+
+
+def test_marks_that_move_are_painted_as_they_are(walking: MainWindow) -> None:
+    viewport, bridge = walking.parts.viewport, walking.parts.bridge
+    overlay = viewport.overlay
+    for _ in range(3):
+        still = overlay.grab().toImage()
+    painted = overlay.kept.times_painted
+    assert overlay.grab().toImage() == still
+    assert overlay.kept.times_painted == painted
+    ground = bridge.document
+    bridge.session.edit("Ground", set_constant(ground, Address(GROUND_ROLL), 12.0))
+    assert overlay.grab().toImage() != still
+    bridge.session.edit("Ground", ground)
+    for _ in range(2):
+        back = overlay.grab().toImage()
+    assert back == still
+    assert overlay.kept.times_painted == painted + 3
+
+
+def test_a_move_in_the_graph_paints_it_once(walking: MainWindow, qtbot: QtBot) -> None:
+    graph, address = _graph_of_twelve_keys(walking)
+    mark = next(each for picture in graph.pictures for each in picture.keys if each.ref == KeyRef(address, 6))
+    scene = graph.view.mapViewToScene(QPointF(mark.frame, mark.ordinate))
+    place = QPointF(graph.mapFromScene(scene))
+    button, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+    viewport, keys = graph.viewport(), Qt.KeyboardModifier.NoModifier
+    down = QMouseEvent(QEvent.Type.MouseButtonPress, place, viewport.mapToGlobal(place), button, button, keys)
+    QApplication.sendEvent(viewport, down)
+    QApplication.processEvents()
+    paintings = Paintings(viewport)
+    for count, down_px in enumerate((8, 12, 16), start=1):
+        at = place + QPointF(0, down_px)
+        QApplication.sendEvent(
+            viewport, ByHand(QEvent.Type.MouseMove, at, viewport.mapToGlobal(at), none, button, keys)
+        )
+        qtbot.waitUntil(partial(paintings.are, count))
+        QApplication.processEvents()
+        assert paintings.count == count
+    graph.controller.cancel()
+
+
+class Paintings(QObject):
+    """Counts how often all of a widget is painted; words over it appear and change their width beside that."""
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self.count = 0
+        widget.installEventFilter(self)
+
+    def are(self, count: int) -> bool:
+        return self.count >= count
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        self.count += isinstance(event, QPaintEvent) and event.region().boundingRect() == self._widget.rect()
+        return False
 
 
 def test_while_a_hand_scrubs_the_picture_comes_after_the_playhead(walking: MainWindow, qtbot: QtBot) -> None:

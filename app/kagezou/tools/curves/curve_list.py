@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from kagezou.animation.curve import component_count
 from kagezou.animation.track import Track
@@ -10,6 +11,7 @@ from kagezou.document.linking import is_linked
 from kagezou.document.model import Document, Layer, Piece
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import Kind
+from kagezou.document.remembered import Remembered
 
 COLORS = ("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#d0d0d0", "#d55e00", "#8fb8ff", "#b9d46a")
 """Colours that are told apart with every kind of eyes; none of them is the yellow of what is selected."""
@@ -43,7 +45,11 @@ class Curve:
 
 
 def curves_of(
-    document: Document, layer_id: str | None, piece_id: str | None = None, others: tuple[str, ...] = ()
+    document: Document,
+    layer_id: str | None,
+    piece_id: str | None = None,
+    others: tuple[str, ...] = (),
+    counts: Remembered[int] | None = None,
 ) -> tuple[Curve, ...]:
     """Return the curves of the scene's keyed properties and of a layer's or a set piece's, in table order.
 
@@ -53,7 +59,10 @@ def curves_of(
         What is worked on.
     others
         The layers that are chosen beside it; a property that is linked has its curves once.
+    counts
+        How many components tracks have, kept by whoever asks after each small edit: all keys have to be looked at.
     """
+    counts = Remembered(1) if counts is None else counts
     curves: list[Curve] = []
     more = (address for other in others for address in _ever_set(document, other, None))
     apart = (address for address in more if not is_linked(document, address))
@@ -62,7 +71,7 @@ def curves_of(
         track = track_of(document, address)
         if not track.is_keyed or address.property.holds_only:
             continue
-        count = component_count(track)
+        count = counts.of((track,), partial(component_count, track))
         curves += [
             Curve(address, component, _name(address, component, count), len(curves) + component)
             for component in range(count)

@@ -84,7 +84,7 @@ class HandleMark:
 
 @dataclass(frozen=True, slots=True)
 class CurvePicture:
-    """A curve as it is seen; the ghost is its other version."""
+    """A curve as it is seen; the ghost is its other version, and ``chosen`` are the frames of its chosen keys."""
 
     curve: Curve
     track: Track
@@ -93,6 +93,7 @@ class CurvePicture:
     keys: tuple[KeyMark, ...]
     handles: tuple[HandleMark, ...]
     ghost: Line | None
+    chosen: frozenset[float] = frozenset()
 
 
 Pictures = tuple[CurvePicture, ...]
@@ -142,8 +143,7 @@ def _names(address: Address) -> _Names:
 
 def _holds(picture: CurvePicture, track: Track, chosen: set[float] | None, fitting: Fitting | None) -> bool:
     """Whether a curve would be drawn the same again."""
-    marked = {mark.frame for mark in picture.keys if mark.is_chosen}
-    return picture.track is track and marked == (chosen or set()) and fitting in (None, picture.fitting)
+    return picture.track is track and picture.chosen == (chosen or set()) and fitting in (None, picture.fitting)
 
 
 def differing_frames(document: Document, other: Document, curve: Curve) -> tuple[int, ...]:
@@ -192,7 +192,9 @@ def _picture(document: Document, curve: Curve, shown: ShownCurves, chosen: Refs,
         drawn = (speed_line if speeds else value_line)(other, curve.component, 1, length)
         ghost = Line(drawn.frames, fitting.to_graph(drawn.values))
     handles = () if speeds else tuple(_handles(curve, track, keys, fitting))
-    return CurvePicture(curve, track, fitting, Line(line.frames, fitting.to_graph(line.values)), keys, handles, ghost)
+    seen = Line(line.frames, fitting.to_graph(line.values))
+    marked = frozenset(mark.frame for mark in keys if mark.is_chosen)
+    return CurvePicture(curve, track, fitting, seen, keys, handles, ghost, marked)
 
 
 def _fitted(line: Line) -> Fitting:

@@ -3,9 +3,12 @@
 from PySide6.QtCore import QObject, Signal
 
 from kagezou.document.model import Document
+from kagezou.document.remembered import Remembered
 from kagezou.tools.curves.curve_list import Curve, curves_of
 from kagezou.tools.curves.picture import GraphKind, ShownCurves
 from kagezou.ui.system.bridge import Bridge
+
+_MOST_TRACKS = 1024
 
 
 class Choice(QObject):
@@ -26,6 +29,7 @@ class Choice(QObject):
         self._listed_of: Document | None = None
         self._listed_for: tuple[object, ...] = ()
         self._listed: tuple[Curve, ...] = ()
+        self._counts: Remembered[int] = Remembered(_MOST_TRACKS)
         self.kind = GraphKind.VALUE
         self.normalises = False
         self.isolates = False
@@ -47,7 +51,7 @@ class Choice(QObject):
         # Asked several times for each document.
         if self._listed_of is not bridge.document or self._listed_for != asked:
             self._listed_of, self._listed_for = bridge.document, asked
-            self._listed = curves_of(bridge.document, *asked)
+            self._listed = curves_of(bridge.document, *asked, counts=self._counts)
         return self._listed
 
     @property
@@ -85,6 +89,7 @@ class Choice(QObject):
         self.changed.emit()
 
     def _begin_anew(self) -> None:
+        self._counts.forget()
         self._hidden, self.snapshot, self.isolates = frozenset(), None, False
         self.changed.emit()
 

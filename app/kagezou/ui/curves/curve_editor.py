@@ -165,7 +165,7 @@ class CurveEditor(QWidget):
 
     def _show_readout(self, frame: float, _ordinate: float) -> None:
         whole = min(max(round(frame), 1), self._bridge.document.canvas.length_frames)
-        chosen = [each for each in self.graph.pictures if any(mark.is_chosen for mark in each.keys)]
+        chosen = [each for each in self.graph.pictures if each.chosen]
         picture = next(iter(chosen or self.graph.pictures), None)
         self._read.setText(readout(self._bridge.document, self.choice, picture, whole))
         self._read.adjustSize()

@@ -4,9 +4,9 @@ from functools import partial
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QGraphicsView, QLabel
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QLabel
 
 from kagezou.tools.curves.graph_model import GraphModel
 from kagezou.tools.curves.graph_pointer import GraphPointer
@@ -109,7 +109,7 @@ class Graph(pg.PlotWidget):
     def fit_chosen(self) -> None:
         """Show the selected keys with their neighbourhood, or everything if none are selected."""
         frames = [mark.frame for picture in self.pictures for mark in picture.keys if mark.is_chosen]
-        chosen = tuple(picture for picture in self.pictures if any(mark.is_chosen for mark in picture.keys))
+        chosen = tuple(picture for picture in self.pictures if picture.chosen)
         if not frames:
             self.fit_all()
             return
@@ -129,7 +129,7 @@ class Graph(pg.PlotWidget):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.controller.is_down:
-            self._moves.take(event, partial(self.controller.move, self._pointer(event)))
+            self._moves.take(event, partial(_move, self, self._pointer(event)))
         else:
             super().mouseMoveEvent(event)
             self.setCursor(self.controller.hover(self._pointer(event)))
@@ -203,6 +203,8 @@ class Graph(pg.PlotWidget):
             axis.setPen(pg.mkPen("#4c4c4c"))
             axis.setTextPen(pg.mkPen(DIM))
             axis.enableAutoSIPrefix(False)
+            # Its words and the grid took as long as a curve, with every painting.
+            axis.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
         self.getAxis("left").setWidth(64)
         self.getPlotItem().addItem(self._playhead, ignoreBounds=True)
         self._box.setPen(pg.mkPen(BRIGHT, width=1, style=Qt.PenStyle.DashLine))
@@ -221,6 +223,13 @@ class Graph(pg.PlotWidget):
         low, high = float(values.min()), float(values.max())
         room = max((high - low) * 0.12, abs(high) * 1e-3, 1e-3)
         self.view.setRange(xRange=(frames[0] - 0.5, frames[1] + 0.5), yRange=(low - room, high + room), padding=0.02)
+
+
+def _move(graph: Graph, pointer: GraphPointer) -> None:
+    graph.controller.move(pointer)
+    # A scene tells its views by a call that waits which of its items changed: after the window has been painted, which
+    # would be painted a second time for every move.
+    QCoreApplication.sendPostedEvents(graph.scene(), QEvent.Type.MetaCall.value)
 
 
 def _within(picture: CurvePicture, frames: tuple[float, float]) -> np.ndarray:

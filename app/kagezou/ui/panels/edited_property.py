@@ -1,6 +1,6 @@
 """One property of one or several layers as something to edit: its value, its keys, its link; no widget."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication
 
@@ -44,11 +44,12 @@ class EditedProperty:
         self.bridge = bridge
         self.address = address
         self.addresses = (address, *others)
+        self._about = frozenset(self.addresses)
         self._gesture: Gesture | None = None
 
-    def is_about(self, addresses: Collection[Address]) -> bool:
+    def is_about(self, addresses: frozenset[Address]) -> bool:
         """Return whether any of some properties is edited here."""
-        return any(address in addresses for address in self.addresses)
+        return not self._about.isdisjoint(addresses)
 
     @property
     def tracks(self) -> tuple[Track, ...]:

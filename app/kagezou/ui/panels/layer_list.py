@@ -140,7 +140,7 @@ class LayerList(QWidget):
     def _follow_selection(self) -> None:
         self._pages.setCurrentIndex(0 if self.model.rowCount() else 1)
         self._remove.setEnabled(self._bridge.layer_id is not None)
-        rows = [self.model.row_of(layer_id) for layer_id in self._bridge.layer_ids]
+        rows = self.model.rows_of(self._bridge.layer_ids)
         selection = QItemSelection()
         for row in rows:
             if row is not None:

@@ -1,6 +1,6 @@
 """The layers of the document as Qt's item views want them: the topmost first."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from enum import IntEnum
 
 from PySide6.QtCore import QAbstractListModel, QMimeData, QModelIndex, QPersistentModelIndex, Qt, Signal
@@ -59,7 +59,12 @@ class LayerModel(QAbstractListModel):
 
     def row_of(self, layer_id: str | None) -> int | None:
         """Return the row of a layer."""
-        return next((row for row in range(len(self._layers)) if self.layer(row).id == layer_id), None)
+        return None if layer_id is None else self.rows_of((layer_id,))[0]
+
+    def rows_of(self, layer_ids: Iterable[str]) -> list[int | None]:
+        """Return the rows of layers."""
+        rows = {layer.id: row for row, layer in enumerate(reversed(self._layers))}
+        return [rows.get(layer_id) for layer_id in layer_ids]
 
     def rowCount(self, parent: Index = _NO_INDEX) -> int:
         return 0 if parent.isValid() else len(self._layers)
@@ -198,9 +203,15 @@ class LayerModel(QAbstractListModel):
             self._layers = layers
             self.endResetModel()
         elif layers is not self._layers:
-            self._layers = layers
-            self._repaint()
+            before, self._layers = self._layers, layers
+            if [_shown_of(layer) for layer in before] != [_shown_of(layer) for layer in layers]:
+                self._repaint()
 
     def _repaint(self) -> None:
         if self._layers:
             self.dataChanged.emit(self.index(0), self.index(len(self._layers) - 1))
+
+
+def _shown_of(layer: Layer) -> tuple[object, ...]:
+    """Return what of a layer its row shows, or those of the layers that join it."""
+    return layer.name, layer.marks, layer.joins, layer.cels, layer.tracks.get(properties.VISIBLE.name)

@@ -80,7 +80,13 @@ def _tone(mode: QIcon.Mode, state: QIcon.State) -> QColor:
 
 
 def _renderer(text: str, color: QColor) -> QSvgRenderer:
-    return QSvgRenderer(QByteArray(text.replace(_DRAWN_IN, color.name()).encode()))
+    return _renderer_in(text, color.name())
+
+
+@cache
+def _renderer_in(text: str, color: str) -> QSvgRenderer:
+    # Lists paint their icons anew with every painting, and reading one takes longer than drawing it.
+    return QSvgRenderer(QByteArray(text.replace(_DRAWN_IN, color).encode()))
 
 
 def _drawn(text: str, color: QColor, size: QSize) -> QPixmap:

@@ -20,6 +20,7 @@ from kagezou.render.renderer import Renderer
 from kagezou.scene.companions import without_companions
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.heavy_sets import MOST_AT_HAND, beyond, too_many_at_hand
+from kagezou.scene.known_layers import KnownLayers
 from kagezou.scene.left_out import without_pieces
 from kagezou.scene.receiving import without_drawings
 from kagezou.scene.scene import Scene
@@ -69,6 +70,7 @@ class FramePainter:
         self._renderer = self._front = Renderer(cels, meshes)
         self._smaller: dict[int, _Smaller] = {}
         self._evaluated: _Evaluated | None = None
+        self.layers = KnownLayers()
         self._drawn: tuple[Scene, int, Backdrop, PictureView, int] | None = None
         self._draw_again: Callable[[], None] | None = None
         self.divisor = 1
@@ -161,7 +163,7 @@ class FramePainter:
         known, divisor = self._evaluated, self.divisor
         if known is not None and known.document is document and (known.frame, known.divisor) == (frame, divisor):
             return known.scene
-        scene = evaluate(scaled(document, divisor), frame)
+        scene = evaluate(scaled(document, divisor), frame, self.layers)
         self._evaluated = _Evaluated(document, frame, divisor, scene)
         return scene
 

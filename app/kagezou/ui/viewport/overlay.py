@@ -14,6 +14,7 @@ from kagezou.tools.handle import place_in_view
 from kagezou.ui.viewport.handle_controller import HandleController
 from kagezou.ui.viewport.handle_paths import is_wanted, paint_guide, paint_handle, paint_off_view_arrow
 from kagezou.ui.viewport.viewpoint import Viewpoint
+from kagezou.ui.widgets.kept_picture import KeptPicture
 from kagezou.ui.widgets.picking import Picking
 
 _EDGE = QColor(0, 0, 0, 150)
@@ -36,6 +37,7 @@ class Overlay(QWidget):
         self._picking = picking
         self._viewpoint = viewpoint
         self.shows_handles = True
+        self.kept = KeptPicture(self, self._paint_all)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
         hand.changed.connect(self.update)
@@ -46,13 +48,26 @@ class Overlay(QWidget):
         if not self.shows_handles:
             return
         painter = QPainter(self)
+        # Under a drag of anything else they stay, though the picture below them, and so they, are painted anew.
+        self.kept.paint(painter, self._shown)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if self._controller.place_px is not None and (words := self._controller.words):
+            self._paint_pill(painter, words, self._controller.place_px)
+        painter.end()
+
+    @property
+    def _shown(self) -> tuple[object, ...]:
+        """All that is painted but the pill, as a value."""
+        hand, viewpoint = self._controller, self._viewpoint
+        chosen = (hand.held and hand.held.id, hand.hovered_id, hand.selected_id, hand.is_busy)
+        touched = () if hand.is_busy else hand.pieces.guides
+        return (hand.handles, touched, chosen, self._picking.marks, viewpoint.view, viewpoint.canvas_size)
+
+    def _paint_all(self, painter: QPainter) -> None:
         self._paint_canvas_edge(painter)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_handles(painter)
         self._paint_marks(painter)
-        if self._controller.place_px is not None and (words := self._controller.words):
-            self._paint_pill(painter, words, self._controller.place_px)
-        painter.end()
 
     def _paint_canvas_edge(self, painter: QPainter) -> None:
         left, top = self._viewpoint.view.view_from_canvas((0.0, 0.0))
