@@ -17,7 +17,9 @@ import venv
 from pathlib import Path
 from typing import Final
 
+from bundle_mesa import LIBRARIES
 from bundle_packing import packed
+from bundle_slimming import slimmed
 from dev_display import private_display
 
 ROOT: Final = Path(__file__).resolve().parents[1]
@@ -47,7 +49,9 @@ def main() -> int:
     options = parser.parse_args()
     python = _environment(options.parts)
     folder = _made(python, options.parts)
-    slimmed(folder)
+    slimmed(folder, say)
+    if os.name == "nt":
+        with_mesa(folder, ROOT / "build" / "mesa")
     try_out(folder, python)
     options.out.mkdir(parents=True, exist_ok=True)
     say(f"{folder}: {_megabytes(folder):.0f} MB")
@@ -77,14 +81,14 @@ def _made(python: Path, parts: list[str]) -> Path:
     return BUILD / "dist" / "kagezou"
 
 
-def slimmed(folder: Path) -> None:
-    """Take the names of functions out of libraries that carry them; those that pip's tools have patched stay."""
-    strip = shutil.which("strip")
-    if strip is None or not sys.platform.startswith("linux"):
+def with_mesa(folder: Path, mesa: Path) -> None:
+    """Lay what bundle_mesa.py has fetched into a folder of the bundle, out of which whoever has no driver copies it."""
+    if not mesa.is_dir():
+        say("the bundle has no OpenGL of its own: packaging/bundle_mesa.py fetches it")
         return
-    inside = folder / "_internal"
-    libraries = [*inside.glob("libpython*.so*"), *inside.glob("kornia_rs/*.so"), *inside.glob("PySide6/*.so")]
-    subprocess.run([strip, "--strip-unneeded", *(path for path in libraries if not path.is_symlink())], check=True)
+    (folder / "mesa").mkdir()
+    for name in LIBRARIES:
+        shutil.copyfile(mesa / name, folder / "mesa" / name)
 
 
 def try_out(folder: Path, python: Path) -> None:
