@@ -1,4 +1,4 @@
-"""The reference of commands on the website: in English as each says it itself, in Japanese from a catalogue beside."""
+"""The reference of commands on the website: in English as each says it, in Japanese from a catalogue beside."""
 
 import importlib
 import json
@@ -14,11 +14,15 @@ from kagezou.cli.main import VERBS
 CATALOGUE: Final = Path(__file__).resolve().parent / "site" / "commands_ja.json"
 """``summaries`` has a line for each command, ``texts`` what its help says, each by its English text."""
 _TITLES: Final = {
-    "en": ("Commands", "Every command of the command line, as `kagezou help COMMAND` says it."),
+    "en": ("Commands", "Every command of the command line; `kagezou help COMMAND` says the same."),
     "ja": (
         "コマンド",
         "コマンドラインの全コマンドです。`kagezou help COMMAND` は同じことを英語で表示します。",
     ),
+}
+_WORDS: Final = {
+    "en": (("what is typed", "what it does"), "Examples:"),
+    "ja": (("引数とオプション", "意味"), "例："),
 }
 _WIDTH: Final = "100"
 _NOTE: Final = re.compile(r"(?<=\S)\s{4,}(?=\S)")
@@ -30,12 +34,10 @@ def commands_page(language: str) -> Iterator[str]:
     title, says = _TITLES[language]
     yield from (f"# {title}", "", says, "")
     os.environ["COLUMNS"] = _WIDTH
-    if language == "ja":
-        yield from _in_japanese()
-        return
-    for verb, summary in VERBS.items():
-        text = _parser_of(verb)[0].format_help().rstrip()
-        yield from (f"## kagezou {verb}", "", summary, "", "```text", text, "```", "")
+    english = {each: _with_code(each) for each in english_texts()}
+    known = catalogue() if language == "ja" else {"summaries": VERBS, "texts": english}
+    for verb in VERBS:
+        yield from _section(verb, known, language)
 
 
 def english_texts() -> frozenset[str]:
@@ -54,18 +56,18 @@ def catalogue() -> Mapping[str, Mapping[str, str]]:
     return read
 
 
-def _in_japanese() -> Iterator[str]:
-    words = catalogue()
-    texts = words["texts"]
-    for verb in VERBS:
-        parser, examples = _parser_of(verb)
-        yield from (f"## kagezou {verb}", "", words["summaries"][verb], "")
-        for paragraph in _paragraphs(parser):
-            yield from (texts[paragraph], "")
-        yield from ("```text", parser.format_usage().removeprefix("usage: ").rstrip(), "```", "")
-        yield from ("| 引数とオプション | 意味 |", "|---|---|")
-        yield from (f"| `{_in_cell(typed)}` | {_in_cell(texts[says])} |" for typed, says in parser.described())
-        yield from ("", "例：", "", "```text", *(_example(line, texts) for line in examples), "```", "")
+def _section(verb: str, known: Mapping[str, Mapping[str, str]], language: str) -> Iterator[str]:
+    """Yield what one command does, how it is typed, what can be typed, and examples."""
+    texts, (heads, example) = known["texts"], _WORDS[language]
+    parser, examples = _parser_of(verb)
+    yield from (f"## kagezou {verb}", "", known["summaries"][verb], "")
+    for paragraph in _paragraphs(parser):
+        yield from (texts[paragraph], "")
+    usage = re.sub(r"\n +", "\n    ", parser.format_usage().removeprefix("usage: ").rstrip())
+    yield from ("```text", usage, "```", "")
+    yield from (f"| {' | '.join(heads)} |", "|---|---|")
+    yield from (f"| `{_in_cell(typed)}` | {_in_cell(texts[says])} |" for typed, says in parser.described())
+    yield from ("", example, "", "```text", *(_example(line, texts) for line in examples), "```", "")
 
 
 def _parser_of(verb: str) -> tuple[Parser, list[str]]:
@@ -81,7 +83,12 @@ def _paragraphs(parser: Parser) -> list[str]:
 
 def _example(line: str, texts: Mapping[str, str]) -> str:
     command, *notes = _NOTE.split(line)
-    return "        ".join([command, *(texts[each] for each in notes)])
+    return "        ".join([command, *(texts[each].replace("`", "") for each in notes)])
+
+
+def _with_code(text: str) -> str:
+    """Return what a help says in Markdown: options, and what it has in quotes, as code."""
+    return re.sub(r"(?<![\w-])--[a-z][a-z-]*|'([^' ]*)'", lambda found: f"`{found[1] or found[0]}`", text)
 
 
 def _in_cell(text: str) -> str:

@@ -38,6 +38,13 @@ License 2.0 (`LICENSE`). The licence texts lie in the folders `*.dist-info` of a
 may be replaced by other builds of the same version, which is all that the licence asks for; nothing of them is changed.
 Their sources are at <https://download.qt.io/official_releases/QtForPython/>.
 
+**ICU**, which comes with Qt, is under the Unicode License 3. On Linux a bundle holds its data (`libicudata`) for
+English and Japanese alone; the library of PySide's package may be put back in its place.
+
+**Mesa** (`mesa` in a bundle for Windows, fetched by `packaging/bundle_mesa.py`) is under the MIT licence and others
+alike, listed at <https://docs.mesa3d.org/license.html>; the LLVM within it is under the Apache License 2.0 with LLVM
+Exceptions, and the build is that of mesa-dist-win, under the MIT licence. Nothing of it is changed.
+
 **Video** (`--with video`, the extra `video`) brings encoders under the GPL. A bundle with it may be passed on under the
 terms of the GPL 2 or later alone, which is why the bundles that are released have none.
 

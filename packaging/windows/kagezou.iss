@@ -49,10 +49,9 @@ Name: "desktopicon"; Description: "{cm:CreateDesktopIcon}"; Flags: unchecked
 
 [Files]
 Source: "{#Folder}\*"; DestDir: "{app}"; Flags: recursesubdirs ignoreversion
-; Mesa's own OpenGL, where the folder was given one: beside the program it is taken instead of the driver's.
-Source: "..\..\build\mesa\opengl32.dll"; DestDir: "{app}\mesa"; Flags: skipifsourcedoesntexist
-Source: "..\..\build\mesa\opengl32.dll"; DestDir: "{app}"; Tasks: software; Flags: skipifsourcedoesntexist
-Source: "..\..\build\mesa\libgallium_wgl.dll"; DestDir: "{app}"; Tasks: software; Flags: skipifsourcedoesntexist
+; Mesa's own OpenGL, where packaging/bundle_mesa.py has fetched it: beside the program it is taken instead of the driver's.
+Source: "{#Folder}\mesa\opengl32.dll"; DestDir: "{app}"; Tasks: software; Flags: skipifsourcedoesntexist ignoreversion
+Source: "{#Folder}\mesa\libgallium_wgl.dll"; DestDir: "{app}"; Tasks: software; Flags: skipifsourcedoesntexist ignoreversion
 
 [Icons]
 Name: "{group}\Kagezou"; Filename: "{app}\kagezou-window.exe"
@@ -75,7 +74,7 @@ Filename: "{app}\kagezou-window.exe"; Description: "{cm:LaunchProgram,Kagezou}";
 [Code]
 function HasMesa(): Boolean;
 begin
-  Result := FileExists(ExpandConstant('{src}\mesa\opengl32.dll')) or {#FileExists("..\..\build\mesa\opengl32.dll") ? "True" : "False"};
+  Result := {#FileExists(AddBackslash(SourcePath) + Folder + "\mesa\opengl32.dll") ? "True" : "False"};
 end;
 
 function IsNotOnPath(): Boolean;

@@ -68,7 +68,7 @@ def test_a_bundle_runs_modules_and_scripts_of_its_own(tmp_path: Path, monkeypatc
 
 
 def test_the_spec_and_the_bundle_script_can_be_read() -> None:
-    for name in ("kagezou.spec", "bundle.py", "bundle_packing.py"):
+    for name in ("kagezou.spec", "bundle.py", "bundle_packing.py", "bundle_trial.py"):
         compile((ROOT / "packaging" / name).read_text(encoding="utf-8"), name, "exec")
     said = subprocess.run(
         [sys.executable, ROOT / "packaging" / "bundle.py", "--help"], capture_output=True, text=True, check=True

@@ -7,6 +7,10 @@
         make: ja ? "\u9078\u629e\u30ec\u30a4\u30e4\u30fc\u304b\u3089\u4f5c\u6210" : "Make from Selected Layers",
         open: ja ? "Kagezou \u3067\u958b\u304f" : "Open in Kagezou",
         bring: ja ? "\u5f71\u3092\u8aad\u307f\u8fbc\u3080" : "Bring Shadows Back",
+        missing: ja ? "\u898b\u3064\u304b\u3089\u306a\u3044\u30bb\u30eb" : "Missing drawings",
+        fail: ja ? "\u8aad\u307f\u8fbc\u307e\u305a\u306b\u540d\u524d\u3092\u6319\u3052\u308b" : "Bring nothing, name them",
+        empty: ja ? "\u30d5\u30ec\u30fc\u30e0\u3092\u7a7a\u306b\u3059\u308b" : "Leave the frames empty",
+        hold: ja ? "\u8fd1\u304f\u306e\u30bb\u30eb\u3067\u57cb\u3081\u308b" : "Hold the nearest drawing",
         program: ja ? "\u30d7\u30ed\u30b0\u30e9\u30e0..." : "Program...",
         choose: ja ? "kagezou \u306e\u5834\u6240\u3092\u9078\u3093\u3067\u304f\u3060\u3055\u3044" : "Where is the program kagezou?",
         save: ja ? "Kagezou \u30d7\u30ed\u30b8\u30a7\u30af\u30c8\u306e\u4fdd\u5b58\u5148" : "Save the Kagezou project as",
@@ -960,7 +964,7 @@
         }
         var folder = path.replace(/\.kage$/i, "") + "_ae";
         var below = lowest(comp);
-        var words = ["export-ae", path, "-o", folder, "--name", "kagezou", "--footage", "reference", "--skip-existing"];
+        var words = ["export-ae", path, "-o", folder, "--name", "kagezou", "--footage", "reference", "--skip-existing", "--missing", standingIn()];
         begin(words, WORDS.rendering, [], function (said) {
             if (!isThere(comp)) {
                 throw new Error(WORDS.lost);
@@ -968,6 +972,37 @@
             status.text = WORDS.reading;
             importInto(comp, below !== null && isThere(below) ? below : lowest(comp), path, folder);
             status.text = said.length > 0 ? said.join("\n") : WORDS.ready;
+        });
+    }
+
+    /* What stands in for drawings that are not there, as --missing of the program has it: the one that was chosen last. */
+    var WAYS = ["fail", "empty", "hold"];
+
+    function standingIn() {
+        var kept = app.settings.haveSetting(SECTION, "missing") ? app.settings.getSetting(SECTION, "missing") : "";
+        for (var i = 0; i < WAYS.length; i++) {
+            if (WAYS[i] === kept) {
+                return kept;
+            }
+        }
+        return WAYS[0];
+    }
+
+    function addStandingIn() {
+        var row = panel.add("group");
+        row.alignChildren = ["left", "center"];
+        row.add("statictext", undefined, WORDS.missing);
+        var list = row.add("dropdownlist", undefined, [WORDS.fail, WORDS.empty, WORDS.hold]);
+        list.alignment = ["fill", "center"];
+        for (var i = 0; i < WAYS.length; i++) {
+            if (WAYS[i] === standingIn()) {
+                list.selection = i;
+            }
+        }
+        list.onChange = trying(function () {
+            if (list.selection !== null) {
+                app.settings.saveSetting(SECTION, "missing", WAYS[list.selection.index]);
+            }
         });
     }
 
@@ -1012,6 +1047,7 @@
     buttons.push(addButton(WORDS.make, makeProject));
     buttons.push(addButton(WORDS.open, openProject));
     buttons.push(addButton(WORDS.bring, bringBack));
+    addStandingIn();
     buttons.push(addButton(WORDS.program, chooseProgram));
     var bar = panel.add("progressbar", undefined, 0, 100);
     var status = panel.add("statictext", undefined, "", { multiline: true });

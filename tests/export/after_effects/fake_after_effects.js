@@ -59,6 +59,17 @@ function powerShell(script) {
     return "";
 }
 
+/* A row of things in a panel, and a list of which one is shown: by its number it is set, and what is read has that number. */
+class Row {
+    constructor() { this.parts = []; }
+    add(kind, bounds, text) { const made = kind === "dropdownlist" ? new DropDown(text) : { text, enabled: true }; this.parts.push(made); return made; }
+}
+class DropDown {
+    constructor(texts) { this.items = texts.map((text, index) => ({ text, index })); this.shown = null; }
+    get selection() { return this.shown; }
+    set selection(index) { this.shown = index === null ? null : this.items[index]; if (this.onChange) this.onChange(); }
+}
+
 const world = {
     app: {
         isoLanguage: "ja_JP", get project() { return project(); }, newProject() { model.open.project = new model.Project(); return project(); },
@@ -83,7 +94,7 @@ const world = {
     Panel: class {}, Window: class {
         constructor() { this.buttons = []; this.layout = { layout() {}, resize() {} }; world.panel = world.panel || this; }
         add(kind, bounds, text, most) {
-            const made = kind === "progressbar" ? { value: text, most } : { text, enabled: true };
+            const made = kind === "progressbar" ? { value: text, most } : (kind === "group" ? new Row() : { text, enabled: true });
             this.buttons.push(made);
             return made;
         }

@@ -49,7 +49,7 @@ def panel_at(tmp_path: Path, saved: Path, program: Path, before: str = "") -> Pa
     program.chmod(0o755)
     script = resource_folder() / "after_effects" / "Kagezou.jsx"
     sequence = str(folder / "a__0001.png").replace("%", "%25")
-    head = f"var file = {sequence!r}; var make = 0, open = 1, bring = 2, bar = 4, status = 5, cancel = 6;"
+    head = f"var file = {sequence!r}; var make = 0, open = 1, bring = 2, missing = 3, bar = 5, status = 6, cancel = 7;"
 
     def run(words: str) -> Run:
         return run_script(script, tmp_path / "ae.json", mode=("panel", str(saved), str(program), head + words))
