@@ -28,8 +28,10 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from threading import Thread
 
 import dev_lock
 from dev_display import private_display
@@ -61,9 +63,11 @@ PICTURES = ("dev_style_pictures.py", "dev_filter_pictures.py", "dev_made_picture
 CHECKS = (
     ("ruff check", ("-m", "ruff", "check", ".")),
     ("ruff format", ("-m", "ruff", "format", "--check", ".")),
-    ("mypy", ("-m", "mypy")),
     ("lint-imports", ("-c", "from importlinter.cli import lint_imports_command as run; run()")),
+    ("mypy", ("-m", "mypy")),
 )
+BESIDE = CHECKS[-1:]
+"""What takes a minute on one core: beside all of the tests, which leave parts of the cores idle."""
 
 
 def say(sentence: str) -> None:
@@ -103,17 +107,56 @@ def set_up(verb: str, *, yes: bool = False) -> Environment:
     return environment
 
 
-def run_checks(environment: Environment) -> list[str]:
-    """Run every check that needs no screen, also after one failed; return the names of those that failed."""
+def run_checks(environment: Environment, checks: Sequence[tuple[str, tuple[str, ...]]] = CHECKS) -> list[str]:
+    """Run checks that need no screen, also after one failed; return the names of those that failed."""
     failed = []
-    for name, arguments in CHECKS:
+    for name, arguments in checks:
         say(f"-- {name}")
         started = time.monotonic()
         code = subprocess.call([str(environment.python), *arguments], cwd=ROOT)
-        say(f"-- {name}: {'ok' if code == 0 else 'FAILED'} after {time.monotonic() - started:.1f} s")
+        say(_outcome(name, code, started))
         if code != 0:
             failed.append(name)
     return failed
+
+
+@contextmanager
+def checks_beside(environment: Environment, checks: Sequence[tuple[str, tuple[str, ...]]]) -> Iterator[list[str]]:
+    """Run checks beside the block, each telling what it found when it is done; yield names of those that failed.
+
+    The names are complete when the block is left; where it is left by an exception, the checks end at once.
+    """
+    failed: list[str] = []
+    running: list[tuple[subprocess.Popen[str], Thread]] = []
+
+    def tell(name: str, process: subprocess.Popen[str], started: float) -> None:
+        said = process.communicate()[0]
+        if process.returncode != 0:
+            failed.append(name)
+        # In one piece, as the tests print at the same time.
+        say(f"\n-- {name}\n{said}{_outcome(name, process.returncode, started)}")
+
+    try:
+        for name, arguments in checks:
+            command = [str(environment.python), *arguments]
+            process = subprocess.Popen(
+                command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
+            )
+            teller = Thread(target=tell, args=(name, process, time.monotonic()))
+            running.append((process, teller))
+            teller.start()
+        yield failed
+    except BaseException:
+        for process, _ in running:
+            process.kill()
+        raise
+    finally:
+        for _, teller in running:
+            teller.join()
+
+
+def _outcome(name: str, code: int, started: float) -> str:
+    return f"-- {name}: {'ok' if code == 0 else 'FAILED'} after {time.monotonic() - started:.1f} s"
 
 
 def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
@@ -123,7 +166,7 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
     others = (*(f"--ignore={folder}" for folder in COVERED), *IN_PARALLEL)
     failed = 0
     thorough = {"KAGEZOU_THOROUGH": "1"} if THOROUGH in arguments else {}
-    arguments = [each for each in arguments if each != THOROUGH]
+    arguments = _parts(arguments)
     with private_display() as screen:
         variables = {**SINGLE_THREADS, **screen, **thorough}
         for selection in (tuple(arguments),) if arguments else (covered, others):
@@ -131,6 +174,11 @@ def run_tests(environment: Environment, arguments: Sequence[str]) -> int:
             command = [str(environment.python), "-m", "pytest", *selection]
             failed = subprocess.call(command, cwd=ROOT, env=variables) or failed
     return failed
+
+
+def _parts(arguments: Sequence[str]) -> list[str]:
+    """Return what chooses a part of the tests."""
+    return [each for each in arguments if each != THOROUGH]
 
 
 def hooks(environment: Environment) -> int:
@@ -192,12 +240,18 @@ def run_verb(verb: str, arguments: Sequence[str], *, yes: bool = False) -> int:
     if verb in STARTED:
         command = [str(environment.python), *STARTED[verb], *arguments]
         return subprocess.call(command, cwd=ROOT if verb == "endurance" else None)
-    failed = run_checks(environment)
+    # A part of the tests may be done sooner than what runs beside, and the last line is pytest's.
+    beside = BESIDE if verb == "test" and not _parts(arguments) else ()
+    failed = run_checks(environment, [each for each in CHECKS if each not in beside])
     if failed:
         say(f"Failed: {', '.join(failed)}.")
     if verb == "lint":
         return int(bool(failed))
-    return run_tests(environment, arguments) or int(bool(failed))
+    with checks_beside(environment, beside) as failed_beside:
+        code = run_tests(environment, arguments)
+    if failed_beside:
+        sys.stderr.write(f"Failed: {', '.join(failed_beside)}.\n")
+    return code or int(bool(failed or failed_beside))
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -1,10 +1,11 @@
 """What every tier of tests shares."""
 
+import gc
 import os
 import shutil
 import sys
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -57,6 +58,22 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadSco
     """Hand tests out by file, whatever is asked for: marks of groups are lost with some releases of pytest."""
     config.option.loadscopereorder = False  # it takes a file of many small tests for a large one
     return ByFile(config, log)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Collect no garbage while tests are collected, nor go through them again for every garbage of a test."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
+
+
+def pytest_unconfigure() -> None:
+    """Let Python take apart at its end what was kept from it, or libraries say that they leak."""
+    gc.unfreeze()
 
 
 _SHARES_S = {"window": 1.0, "renderer": 0.5, "qtbot": 0.3, "tmp_path": 0.05}

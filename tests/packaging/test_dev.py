@@ -7,7 +7,7 @@ import re
 import sys
 import tomllib
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import pytest
@@ -78,23 +78,59 @@ def quiet_signal(*_: object) -> None:
     pass
 
 
-@pytest.mark.parametrize(("failing", "tests", "code"), [(None, 0, 0), ("mypy", 0, 1), (None, 5, 5), ("mypy", 5, 5)])
+@pytest.mark.parametrize(
+    ("failing", "tests", "code"), [(None, 0, 0), ("mypy", 0, 1), ("ruff check", 0, 1), (None, 5, 5), ("mypy", 5, 5)]
+)
+@pytest.mark.parametrize("part", [[], ["tests/io"]])
 def test_every_check_runs_and_any_failure_counts(
-    modules: Modules, monkeypatch: pytest.MonkeyPatch, failing: str | None, tests: int, code: int
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, failing: str | None, tests: int, code: int, part: list[str]
 ) -> None:
     ran: list[str] = []
+    beside: list[str] = []
+
+    def name_of(command: list[str]) -> str:
+        return next((one for one, arguments in modules.dev.CHECKS if tuple(command[1:]) == arguments), "pytest")
 
     def call(command: list[str], **_: Any) -> int:
-        name = next((one for one, arguments in modules.dev.CHECKS if tuple(command[1:]) == arguments), "pytest")
-        ran.append(name)
-        return tests if name == "pytest" else int(name == failing)
+        ran.append(name_of(command))
+        return tests if ran[-1] == "pytest" else int(ran[-1] == failing)
+
+    class Started:
+        def __init__(self, command: list[str], **_: Any) -> None:
+            beside.append(name_of(command))
+            self.returncode = int(beside[-1] == failing)
+            assert "pytest" not in ran, "from the beginning"
+
+        def communicate(self) -> tuple[str, None]:
+            return "", None
 
     monkeypatch.setattr(modules.dev, "set_up", lambda _, **__: modules.venv.Environment(ROOT, (3, 11)))
     monkeypatch.setattr(modules.dev.subprocess, "call", call)
+    monkeypatch.setattr(modules.dev.subprocess, "Popen", Started)
     monkeypatch.setattr(modules.dev, "private_display", FakeDisplay)
-    assert modules.dev.run_verb("test", []) == code
+    assert modules.dev.run_verb("test", part) == code
     checks = [name for name, _ in modules.dev.CHECKS]
-    assert ran == [*checks, "pytest", "pytest"], "what must be covered whole, and then all others"
+    if part:
+        assert (ran, beside) == ([*checks, "pytest"], [])
+    else:
+        assert (ran, beside) == (["ruff check", "ruff format", "lint-imports", "pytest", "pytest"], ["mypy"])
+
+
+def test_what_runs_beside_says_what_it_found_and_ends_with_the_tests(
+    modules: Modules, capfd: pytest.CaptureFixture[str]
+) -> None:
+    environment = SimpleNamespace(python=Path(sys.executable))
+    wrong = ("types", ("-c", "print('x.py:1: error'); raise SystemExit(1)"))
+    with modules.dev.checks_beside(environment, [wrong, ("others", ("-c", "print('none')"))]) as failed:
+        pass
+    assert failed == ["types"]
+    said = capfd.readouterr().out
+    assert "\n-- types\nx.py:1: error\n-- types: FAILED after " in said
+    assert "\n-- others\nnone\n-- others: ok after " in said
+    endless = ("endless", ("-c", "while True: pass"))
+    with pytest.raises(SystemExit), modules.dev.checks_beside(environment, [endless]):
+        raise SystemExit(143)
+    assert "endless: FAILED" in capfd.readouterr().out
 
 
 def test_all_of_every_sweep_is_tried_when_asked_for(modules: Modules, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -97,7 +97,7 @@ def centres(height: int, width: int) -> tuple[Array, Array]:
 
 def on_ground(cast: ShadowCast, covered: Array) -> float:
     """The area on the ground, px², of what is covered on the canvas."""
-    return float((covered * blurred.ground_seen_at(cast, *centres(*covered.shape))[2]).sum())
+    return float((covered * blurred.area_seen(cast, *covered.shape)).sum())
 
 
 class TestReference:

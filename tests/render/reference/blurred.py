@@ -5,6 +5,7 @@ deviation is one number a row and the Gaussian is exactly one product of matrice
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil, hypot
 
 import numpy as np
@@ -254,17 +255,35 @@ class Shape:
         return result
 
     def _excess(self, cast: ShadowCast, x: Array, y: Array) -> Array:
-        u, v, area = ground_seen_at(cast, x, y)
-        return np.where(area > 0, self.field.at(u, v) - self.level, -1.0)
+        u, v, w = _plane_at(cast, x, y)
+        return np.where(w < np.inf, self.field.at(u, v) - self.level, -1.0)
 
 
 def ground_seen_at(cast: ShadowCast, x: Array, y: Array) -> tuple[Array, Array, Array]:
     """Return the ground (u, v) seen at canvas points, and the ground px² a canvas px² there shows; 0 for none."""
-    plane_from_canvas = np.linalg.inv(canvas_from_plane(cast.camera, cast.receivers[0]))
-    u, v, w = np.tensordot(plane_from_canvas, np.stack([x, y, np.ones_like(x)]), axes=1)
-    seen = w > 1e-9
-    w = np.where(seen, w, 1.0)
-    return u / w, v / w, np.where(seen, abs(float(np.linalg.det(plane_from_canvas))) / w**3, 0.0)
+    u, v, w = _plane_at(cast, x, y)
+    return u, v, abs(float(np.linalg.det(_plane_from_canvas(cast)))) / w**3
+
+
+@lru_cache(maxsize=8)
+def area_seen(cast: ShadowCast, height: int, width: int) -> Array:
+    """Return the ground px² that each canvas pixel shows, (H, W): many filters are held against one cast."""
+    y, x = np.mgrid[0:height, 0:width] + 0.5
+    area = ground_seen_at(cast, x, y)[2]
+    area.flags.writeable = False
+    return area
+
+
+def _plane_at(cast: ShadowCast, x: Array, y: Array) -> tuple[Array, Array, Array]:
+    """Return the ground (u, v) seen at canvas points, and the third coordinate of both; infinite where none is."""
+    a, b, c = _plane_from_canvas(cast)
+    w = c[0] * x + c[1] * y + c[2]
+    w = np.where(w > 1e-9, w, np.inf)
+    return (a[0] * x + a[1] * y + a[2]) / w, (b[0] * x + b[1] * y + b[2]) / w, w
+
+
+def _plane_from_canvas(cast: ShadowCast) -> Array:
+    return np.linalg.inv(canvas_from_plane(cast.camera, cast.receivers[0]))
 
 
 def simplified(shadow: Squares, amount_px: float, distance_px: float) -> Shape:
