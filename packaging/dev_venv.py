@@ -124,8 +124,7 @@ class Environment:
 
     def _install(self, extra: str, say: Callable[[str], None]) -> None:
         """Install the locked packages by their hashes, then the sources; without a lock what fits pyproject.toml."""
-        # Most of what comes is never imported: Python compiles a module the first time that it is.
-        pip = [str(self.python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile"]
+        pip = [str(self.python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
         problem = "Installing the Python packages failed"
         reason = reason_not_to_lock()
         if reason:
