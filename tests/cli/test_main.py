@@ -57,12 +57,28 @@ def test_the_version(shell: Shell) -> None:
         (["render", "p.kage", "-o", "x", "--frames", "5-1"], "5-1"),
         (["render", "p.kage", "-o", "x", "--format", "tga", "--depth", "16"], "tga"),
         (["get", "p.kage"], "PATH"),
+        (["set"], "required: PROJECT.kage ("),
         (["info", ""], "empty"),
         (["--louder"], "neither a command nor a project"),
     ],
 )
 def test_wrong_words_are_one_line(shell: Shell, words: list[str], sentence: str) -> None:
     assert sentence in shell.fails(2, *words)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["layers.Hero.tilt=3", "ground.roll=2", "--frame", "1"],
+        ["--frame", "1", "layers.Hero.tilt=3", "ground.roll=2"],
+        ["layers.Hero.tilt=3", "--frame", "1", "ground.roll=2"],
+        ["layers.Hero.tilt=3", "--frame", "1", "--", "ground.roll=2"],
+    ],
+)
+def test_options_stand_before_between_and_behind_other_words(shell: Shell, project: Path, words: list[str]) -> None:
+    shell.ok("set", project, *words)
+    found = [shell.json("get", project, path) for path in ("layers.Hero.tilt", "ground.roll")]
+    assert [[(key["frame"], key["value"]) for key in keys] for keys in found] == [[(1, 3)], [(1, 2)]]
 
 
 @pytest.mark.parametrize("words", [[], ["p.kage"], ["SHEET.XDTS"]])

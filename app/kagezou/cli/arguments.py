@@ -43,8 +43,8 @@ class Parser(argparse.ArgumentParser):
         )
 
     def options_of(self, words: Sequence[str]) -> argparse.Namespace:
-        """Parse, and name the option that was probably meant by one there is not."""
-        found, unknown = self.parse_known_args(words)
+        """Parse words in any order, and name the option that was probably meant by one there is not."""
+        found, unknown = self.parse_known_intermixed_args(words)
         if unknown:
             options = [text for action in self._actions for text in action.option_strings]
             wrong = next((text for text in unknown if text.startswith("-")), unknown[0])

@@ -37,7 +37,7 @@ _STUCK_MINUTES: Final = 10
 
 def add_arguments(parser: Parser) -> None:
     """Say what can be typed."""
-    parser.add_argument("cuts", type=Path, nargs="*", metavar="DIR", help="a cut, or a folder of cuts")
+    parser.add_argument("cuts", type=Path, nargs="*", default=[], metavar="DIR", help="a cut, or a folder of cuts")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="where each cut gets a folder")
     parser.add_argument("--style", metavar="NAME", help="the look of every character (kagezou style lists them)")
     parser.add_argument("--with-light", action="store_true", help="the style's own light too")

@@ -46,6 +46,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "words",
         nargs="*",
+        default=[],
         metavar="KIND | NEW_NAME | PROPERTY=JSON",
         help=f"to add: {_kinds()}, then its properties; to rename: the new name",
     )

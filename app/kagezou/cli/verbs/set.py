@@ -41,6 +41,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "assignments",
         nargs="*",
+        default=[],
         metavar="PATH=JSON",
         help="a property and its value as JSON; words such as sun, #20203A and true need no quotes, nor 1400,-300,900",
     )
