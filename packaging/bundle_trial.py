@@ -23,6 +23,7 @@ _OF_SCREEN: Final = ("DISPLAY", "XDG_RUNTIME_DIR", "QT_QPA_PLATFORM", "LIBGL_ALW
 _RENDER: Final = "render made/demo.kage --frames 1 -o"
 _PIECE: Final = "mesh display=clay scale=1 --file"
 _FORMATS: Final = (
+    "set made/demo.kage canvas.length=2",
     *(f"{_RENDER} {name} --format {name} --composite" for name in ("tga", "tiff", "exr")),
     *(f"new back-{name}.kage --character A={name}/composite" for name in ("tga", "tiff", "exr")),
     f"{_RENDER} psd --layered",
