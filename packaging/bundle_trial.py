@@ -41,7 +41,7 @@ _FORMATS: Final = (
 )
 """What both are told, each in a folder of its own."""
 _OF_PARTS: Final = {
-    "video": ("video made/demo.kage --frames 1-3 -o demo.mp4",),
+    "video": ("video made/demo.kage -o demo.mp4",),
     "usd": (f"piece sheet.kage add usd {_PIECE} cube.usda", "render sheet.kage --frames 1 -o usd --composite"),
     "gradients": (),
 }
