@@ -23,6 +23,7 @@ _OF_SCREEN: Final = ("DISPLAY", "XDG_RUNTIME_DIR", "QT_QPA_PLATFORM", "LIBGL_ALW
 _RENDER: Final = "render made/demo.kage --frames 1 -o"
 _PIECE: Final = "mesh display=clay scale=1 --file"
 _FORMATS: Final = (
+    "set made/demo.kage canvas.length=2",
     *(f"{_RENDER} {name} --format {name} --composite" for name in ("tga", "tiff", "exr")),
     *(f"new back-{name}.kage --character A={name}/composite" for name in ("tga", "tiff", "exr")),
     f"{_RENDER} psd --layered",
@@ -40,7 +41,7 @@ _FORMATS: Final = (
 )
 """What both are told, each in a folder of its own."""
 _OF_PARTS: Final = {
-    "video": ("video made/demo.kage --frames 1-3 -o demo.mp4",),
+    "video": ("video made/demo.kage -o demo.mp4",),
     "usd": (f"piece sheet.kage add usd {_PIECE} cube.usda", "render sheet.kage --frames 1 -o usd --composite"),
     "gradients": (),
 }

@@ -78,6 +78,8 @@ def build(out: Path) -> None:
         write_pages(sources / language, language)
         for beside in ("pictures", "scripts"):
             shutil.copytree(ROOT / "docs" / beside, sources / language / beside)
+        # Sphinx takes the words of its theme from there, and writes them down in its own form beside.
+        shutil.copytree(SITE / "locales", sources / language / "locales")
         command = ["-m", "sphinx", "-q", "-W", "-b", "html", "-c", str(SITE), "-D", f"language={language}"]
         subprocess.run([sys.executable, *command, str(sources / language), str(out / language)], check=True)
     links = "".join(f'<li><a href="{code}/index.html">{name}</a></li>' for code, name in LANGUAGES.items())
