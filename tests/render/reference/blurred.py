@@ -283,7 +283,7 @@ def _plane_at(cast: ShadowCast, x: Array, y: Array) -> tuple[Array, Array, Array
 
 
 def _plane_from_canvas(cast: ShadowCast) -> Array:
-    return np.linalg.inv(canvas_from_plane(cast.camera, cast.receivers[0]))
+    return np.asarray(np.linalg.inv(canvas_from_plane(cast.camera, cast.receivers[0])), np.float64)
 
 
 def simplified(shadow: Squares, amount_px: float, distance_px: float) -> Shape:
