@@ -45,8 +45,19 @@ class ByFile(LoadScopeScheduling):
         return "screen" if file.startswith("tests/ui/") and not HAS_SCREENS else file
 
 
+def _nothing_to_wait_for(descriptor: int) -> None:
+    """Check a descriptor as ``os.fsync`` does, without the disk: a machine that loses power tests nothing any more.
+
+    Whether and when it is called is seen by the tests that put something else in its place.
+    """
+    os.fstat(descriptor)
+
+
 def pytest_configure(config: pytest.Config) -> None:
-    """Give a process that runs beside others its own screen, before anything is shown."""
+    """Give a process that runs beside others its own screen, before anything is shown; let none wait for the disk."""
+    patch = pytest.MonkeyPatch()
+    patch.setattr(os, "fsync", _nothing_to_wait_for)
+    config.add_cleanup(patch.undo)
     if HAS_SCREENS and hasattr(config, "workerinput"):
         stack = ExitStack()
         os.environ.update(stack.enter_context(private_display()))

@@ -181,4 +181,5 @@ def card_switches(cast: SpaceCast, *, translucent: bool) -> frozenset[str]:
 
 def _balanced(matrix: Matrix) -> Matrix:
     """Scale a homography so that w = ±1 at its origin, which keeps its float32 copy precise there."""
-    return np.asarray(matrix / max(abs(float(matrix[2, 2])), 1e-12 * float(np.abs(matrix).max())))
+    largest = float(np.abs(matrix).max())
+    return np.asarray(matrix / max(abs(float(matrix[2, 2])), 1e-12 * largest))
