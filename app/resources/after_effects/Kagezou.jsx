@@ -1000,8 +1000,10 @@
             }
         }
         list.onChange = trying(function () {
-            if (list.selection !== null) {
-                app.settings.saveSetting(SECTION, "missing", WAYS[list.selection.index]);
+            /* A number is only ever written to it. */
+            var chosen = /** @type {ListItem | null} */ (list.selection);
+            if (chosen !== null) {
+                app.settings.saveSetting(SECTION, "missing", WAYS[chosen.index]);
             }
         });
     }
