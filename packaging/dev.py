@@ -49,8 +49,7 @@ from dev_venv import Environment
 
 ROOT = Path(__file__).resolve().parents[1]
 OLDEST, NEWEST = (3, 11), (3, 14)
-PROCESSES = min((os.cpu_count() or 1) + 1, 4)
-"""One more than there are cores: tests wait for processes they started, and for events, for a fifth of their time."""
+PROCESSES = min(os.cpu_count() or 1, 4)
 IN_PARALLEL = ("--numprocesses", str(PROCESSES), "--dist", "loadscope")
 """Tests side by side, each process with a screen of its own."""
 SINGLE_THREADS = {"LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
