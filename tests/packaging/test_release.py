@@ -1,6 +1,7 @@
 """What a release is made with: notes from the changelog, terms of what is shipped, how a bundle calls itself."""
 
 import json
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -77,6 +78,7 @@ def test_the_spec_and_the_bundle_script_can_be_read() -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a script for Linux")
+@pytest.mark.skipif(shutil.which("xz") is None, reason="xz is not installed, without which it says so and ends")
 def test_a_bundle_that_unpacks_itself_replaces_nothing_but_a_bundle(tmp_path: Path) -> None:
     bundle = tmp_path / "kagezou-1"
     (bundle / "_internal").mkdir(parents=True)
