@@ -4,8 +4,8 @@ import os
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDropEvent, QGuiApplication, QImage
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QDragLeaveEvent, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -17,6 +17,9 @@ from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recent_pictures import SIZE, ProjectPictures, kept_at
 from kagezou.ui.window.drop_hint import drop_words
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui import held_files
+
+_MIDDLE = QPointF(300, 300)
 
 
 def saved(open_project: OpenProject, path: Path) -> Path:
@@ -26,19 +29,11 @@ def saved(open_project: OpenProject, path: Path) -> Path:
 
 def hold(window: MainWindow, *paths: Path) -> None:
     """Hold files over the window without letting them go."""
-    carried = QMimeData()
-    carried.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    button, plain = Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier
-    enter = QDragEnterEvent(QPoint(300, 300), Qt.DropAction.CopyAction, carried, button, plain)
-    QApplication.sendEvent(window, enter)
-    assert enter.isAccepted()
+    assert held_files.hold(window, held_files.carried(paths), _MIDDLE).isAccepted()
 
 
 def let_go(window: MainWindow, *paths: Path) -> None:
-    carried = QMimeData()
-    carried.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    button, plain = Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier
-    QApplication.sendEvent(window, QDropEvent(QPointF(300, 300), Qt.DropAction.CopyAction, carried, button, plain))
+    held_files.let_go(window, held_files.carried(paths), _MIDDLE)
 
 
 class TestRecent:

@@ -14,8 +14,8 @@ from pathlib import Path
 from time import sleep
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -33,6 +33,7 @@ from kagezou.ui.project.load import Load
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system.settings import Settings
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui import held_files
 from tests.ui.project.test_recovery import OTHER_PROGRAM
 from tests.ui.viewing import drag, move
 
@@ -72,12 +73,10 @@ class Person:
 
     def drop(self, path: Path) -> None:
         """Let go of a file or folder over the window."""
-        data = QMimeData()
-        data.setUrls([QUrl.fromLocalFile(str(path))])
-        middle, copy = self.window.rect().center(), Qt.DropAction.CopyAction
-        QApplication.sendEvent(self.window, QDragEnterEvent(middle, copy, data, LEFT, NONE))
+        data, middle = held_files.carried([path]), QPointF(self.window.rect().center())
+        held_files.hold(self.window, data, middle, LEFT)
         self.keep_picture("held_over_the_window")
-        QApplication.sendEvent(self.window, QDropEvent(QPointF(middle), copy, data, LEFT, NONE))
+        held_files.let_go(self.window, data, middle, LEFT)
         self.see_picture()
 
     def see_picture(self) -> None:

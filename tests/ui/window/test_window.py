@@ -4,8 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
@@ -25,6 +24,7 @@ from kagezou.ui.viewport import frame_painter, picture_widget
 from kagezou.ui.widgets.message_bar import Severity
 from kagezou.ui.window.bars import TopBars
 from kagezou.ui.window.main_window import MainWindow
+from tests.ui import held_files
 from tests.ui.viewing import drag, picture, shadow_is_on_canvas, write_garbage
 
 
@@ -53,13 +53,9 @@ def reply(window: MainWindow, path: Path | None = None, answer: Answer = Answer.
 
 
 def drop(window: MainWindow, *paths: Path, over: QWidget | None = None) -> None:
-    carried = QMimeData()
-    carried.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    copy, none, plain = Qt.DropAction.CopyAction, Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier
-    enter = QDragEnterEvent(QPoint(300, 300), copy, carried, none, plain)
-    QApplication.sendEvent(over or window, enter)
-    assert enter.isAccepted()
-    QApplication.sendEvent(window, QDropEvent(QPointF(300, 300), copy, carried, none, plain))
+    data, place = held_files.carried(paths), QPointF(300, 300)
+    assert held_files.hold(over or window, data, place).isAccepted()
+    held_files.let_go(window, data, place)
 
 
 def test_an_empty_window_says_where_to_begin(window: MainWindow) -> None:
