@@ -3,7 +3,7 @@
 from typing import Final
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox
 
 from kagezou.export.choices import AS_CUT, ExportChoices
 from kagezou.export.file_names import MAX_FIRST, USUAL
@@ -16,11 +16,9 @@ PATTERNS: Final = (
 )
 """What is offered; anything else may be typed."""
 
-_GAP_PX: Final = 8
-
 
 class NamingRows(QObject):
-    """A box of patterns that takes typing, and the number of the first file, each in a row of its own.
+    """A box of patterns that takes typing, and the number of the first file, each with its words before it.
 
     Parameters
     ----------
@@ -49,7 +47,7 @@ class NamingRows(QObject):
         self.start.setSpecialValueText(self.tr("as in the cut (%1)").replace("%1", str(first)))
         self.start.setAccessibleName(self.tr("Number of the first frame"))
         self.start.setToolTip(self.tr("The number in the file of the cut's first frame, such as 1001."))
-        self.rows = (_row(self.tr("File names"), self.pattern), _row(self.tr("First number"), self.start))
+        self.rows = (_named(self.tr("File names"), self.pattern), _named(self.tr("First number"), self.start))
         self.pattern.editTextChanged.connect(lambda text: self.changed.emit({"names": text.strip() or USUAL}))
         self.start.valueChanged.connect(lambda value: self.changed.emit({"start": value}))
 
@@ -62,14 +60,8 @@ class NamingRows(QObject):
         self.blockSignals(False)
 
 
-def _row(words: str, field: QComboBox | QSpinBox) -> QWidget:
-    """Return a field with words before it."""
-    made = QWidget()
+def _named(words: str, field: QComboBox | QSpinBox) -> tuple[QLabel, QComboBox | QSpinBox]:
+    """Return the words of a field, which lead to it, and the field."""
     label = QLabel(words)
     label.setBuddy(field)
-    row = QHBoxLayout(made)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(_GAP_PX)
-    row.addWidget(label)
-    row.addWidget(field, 1)
-    return made
+    return label, field

@@ -63,6 +63,7 @@ class ExportOptions(QWidget):
         self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
         self._shown_for: list[tuple[QWidget, Option]] = []
+        self._labels: list[QLabel] = []
         self._form = QGridLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setHorizontalSpacing(GAP_PX)
@@ -106,11 +107,10 @@ class ExportOptions(QWidget):
         row.addWidget(self.format_box, 1)
         row.addWidget(self.depth_box)
         self._shown_for.append((self.depth_box, Option.DEPTH))
-        self._video_label, self._missing_label = QLabel(self.tr("Picture")), QLabel(self.tr("Missing drawings"))
         self._form.addWidget(QLabel(self.tr("Format")), 0, 0)
         self._form.addLayout(row, 0, 1)
-        self._put_labelled(self._video_label, self.video_box, Option.VIDEO_LAYER)
-        self._put_labelled(self._missing_label, self.missing_box, Option.MISSING)
+        self._put_labelled(QLabel(self.tr("Picture")), self.video_box, Option.VIDEO_LAYER)
+        self._put_labelled(QLabel(self.tr("Missing drawings")), self.missing_box, Option.MISSING)
         self._add(self.tr("All layers of a frame in one file"), Option.IN_ONE)
         self._add(self.tr("Shadows of a look as one besides"), Option.UNITED)
         self._add(self.tr("Composite with background and characters"), Option.COMPOSITE)
@@ -131,8 +131,8 @@ class ExportOptions(QWidget):
         self.chunk.valueChanged.connect(lambda value: self.changed.emit({"chunk": value}))
         self._put(self.chunk, Option.CHUNK)
         self.naming.changed.connect(self.changed)
-        for below, naming in enumerate(self.naming.rows):
-            self._put(naming, Option.NAMES, below)
+        for below, (label, field) in enumerate(self.naming.rows):
+            self._put_labelled(label, field, Option.NAMES, below)
         trusting = self.tr("Leave frames alone that would come out the same")
         self._add(trusting, Option.SKIP_EXISTING)
         self._keep_room()
@@ -149,10 +149,11 @@ class ExportOptions(QWidget):
         self._form.addWidget(widget, _ROWS[option] + below, 0, 1, 2)
         self._shown_for.append((widget, option))
 
-    def _put_labelled(self, label: QLabel, box: QComboBox, option: Option) -> None:
-        self._form.addWidget(label, _ROWS[option], 0)
-        self._form.addWidget(box, _ROWS[option], 1)
-        self._shown_for += [(each, option) for each in (label, box)]
+    def _put_labelled(self, label: QLabel, field: QWidget, option: Option, below: int = 0) -> None:
+        self._form.addWidget(label, _ROWS[option] + below, 0)
+        self._form.addWidget(field, _ROWS[option] + below, 1)
+        self._labels.append(label)
+        self._shown_for += [(each, option) for each in (label, field)]
 
     def _keep_room(self) -> None:
         """Make every row as high as its highest widget, and the form as wide as its widest, shown or not."""
@@ -165,12 +166,12 @@ class ExportOptions(QWidget):
             self._form.setRowMinimumHeight(row, high)
         self._form.setRowStretch(self._form.rowCount(), 1)
         self._form.setColumnStretch(1, 1)
-        labels = max(each.sizeHint().width() for each in (self._video_label, self._missing_label))
+        labels = max(each.sizeHint().width() for each in self._labels)
         self._form.setColumnMinimumWidth(0, labels)
         words = max(map(self.fontMetrics().horizontalAdvance, self._format_words().values()))
         beside = labels + self.depth_box.sizeHint().width() + 2 * GAP_PX
         self.setMinimumWidth(max(*(each.sizeHint().width() for each in widgets), words + _ARROW_PX + beside))
-        for box in (self.format_box, self.video_box, self.missing_box):
+        for box in (self.format_box, self.video_box, self.missing_box, self.naming.pattern):
             box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         policy = self.depth_box.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
