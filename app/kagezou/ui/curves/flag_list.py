@@ -1,7 +1,7 @@
 """Flags of what stands out in the curves of the whole cut: a list to go through one by one."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDoubleSpinBox, QHBoxLayout, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
 from kagezou.document.frame_numbers import number_of
 from kagezou.document.key_edits import KeyRef
@@ -9,6 +9,7 @@ from kagezou.ui.curves.flags import Flag, flags_of, keyed_addresses
 from kagezou.ui.curves.remarks import flag_words
 from kagezou.ui.system.bridge import Bridge
 from kagezou.ui.system.note_words import owner_words
+from kagezou.ui.widgets.number_boxes import NumberBox
 
 _WHAT = Qt.ItemDataRole.UserRole
 _JUMP_PX = 60.0
@@ -31,7 +32,7 @@ class FlagList(QWidget):
         self.list.setWordWrap(True)
         self.list.setAccessibleName(self.tr("Flags"))
         self.list.itemClicked.connect(self._go_there)
-        self.limit = QDoubleSpinBox()
+        self.limit = NumberBox()
         self.limit.setRange(1, 10000)
         self.limit.setDecimals(0)
         self.limit.setSuffix(" px")

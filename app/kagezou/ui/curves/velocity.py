@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QDoubleSpinBox, QFormLa
 
 from kagezou.animation.ease import Ease
 from kagezou.ui.system.shown_units import ShownUnit
+from kagezou.ui.widgets.number_boxes import NumberBox
 
 
 class VelocityDialog(QDialog):
@@ -52,7 +53,7 @@ class VelocityDialog(QDialog):
 
 
 def _field(value: float, suffix: str) -> QDoubleSpinBox:
-    field = QDoubleSpinBox()
+    field = NumberBox()
     field.setDecimals(3)
     field.setRange(-1e9, 1e9)
     field.setSuffix(f" {suffix}" if suffix else "")

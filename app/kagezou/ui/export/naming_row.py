@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox
 
 from kagezou.export.choices import AS_CUT, ExportChoices
 from kagezou.export.file_names import MAX_FIRST, USUAL
+from kagezou.ui.widgets.number_boxes import WholeNumberBox
 
 PATTERNS: Final = (
     USUAL,
@@ -31,7 +32,7 @@ class NamingRows(QObject):
 
     def __init__(self, first: int) -> None:
         super().__init__()
-        self.pattern, self.start = QComboBox(), QSpinBox()
+        self.pattern, self.start = QComboBox(), WholeNumberBox()
         self.pattern.setEditable(True)
         self.pattern.addItems(PATTERNS)
         self.pattern.setMinimumContentsLength(18)

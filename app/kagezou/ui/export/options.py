@@ -3,7 +3,7 @@
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from kagezou.document.model import Document
 from kagezou.export.choices import ExportChoices
@@ -11,6 +11,7 @@ from kagezou.export.exporters.exporter import Option
 from kagezou.export.exporters.table import MAX_CHUNK, depths_of, exporter_of
 from kagezou.export.request import Missing
 from kagezou.ui.export.naming_row import NamingRows
+from kagezou.ui.widgets.number_boxes import WholeNumberBox
 
 GAP_PX = 8
 """Between a label and its field."""
@@ -59,7 +60,7 @@ class ExportOptions(QWidget):
         self.depth_box.setAccessibleName(self.tr("Depth"))
         self.video_box.setAccessibleName(self.tr("Picture"))
         self.missing_box.setAccessibleName(self.tr("Missing drawings"))
-        self.chunk, self.naming = QSpinBox(), NamingRows(document.canvas.first_frame)
+        self.chunk, self.naming = WholeNumberBox(), NamingRows(document.canvas.first_frame)
         self._ticks: dict[Option, QCheckBox] = {}
         self._mattes: dict[str, QCheckBox] = {}
         self._shown_for: list[tuple[QWidget, Option]] = []

@@ -3,9 +3,10 @@
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from kagezou.document.model import Document
+from kagezou.ui.widgets.number_boxes import WholeNumberBox
 
 MOST_PX: Final = 16384
 
@@ -23,7 +24,7 @@ class SizeRow(QWidget):
 
     def __init__(self, document: Document) -> None:
         super().__init__()
-        self.usual, self.width_box, self.height_box = QComboBox(), QSpinBox(), QSpinBox()
+        self.usual, self.width_box, self.height_box = QComboBox(), WholeNumberBox(), WholeNumberBox()
         self.usual.setAccessibleName(self.tr("Usual size"))
         self.width_box.setAccessibleName(self.tr("Width"))
         self.height_box.setAccessibleName(self.tr("Height"))

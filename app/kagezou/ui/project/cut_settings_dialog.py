@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QScrollArea,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -28,6 +27,7 @@ from kagezou.errors import UsageProblem
 from kagezou.ui.project.canvas_sizes import SizeRow
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.in_row import GAP_PX, in_row
+from kagezou.ui.widgets.number_boxes import WholeNumberBox
 
 RATES: Final = ("23.976", "24", "25", "29.97", "30", "12", "12.5", "15", "50", "59.94", "60")
 _MOST_FRAMES: Final = 1_000_000
@@ -57,8 +57,8 @@ class CutSettingsDialog(QDialog):
         self.size_row = SizeRow(document)
         self.refits = QButtonGroup(self)
         self.rate = QComboBox()
-        self.length, self.seconds = QSpinBox(), QLineEdit()
-        self.first, self.last = QSpinBox(), QLabel()
+        self.length, self.seconds = WholeNumberBox(), QLineEdit()
+        self.first, self.last = WholeNumberBox(), QLabel()
         self.says = QLabel()
         self.agree = QPushButton(self.tr("Change"))
         self._fill()

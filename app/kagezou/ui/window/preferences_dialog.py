@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QPushButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -35,6 +34,7 @@ from kagezou.ui.system.settings import Settings
 from kagezou.ui.viewport.resolution import Resolution
 from kagezou.ui.widgets.color_button import Swatch
 from kagezou.ui.widgets.in_row import GAP_PX, in_row
+from kagezou.ui.widgets.number_boxes import WholeNumberBox
 
 _FOLDERS: Final = ("project", "cels", "background", "export")
 _STEP_MB: Final = 128
@@ -64,7 +64,7 @@ class PreferencesDialog(QDialog):
         self._preferences: Preferences = preferences_in(settings)
         self.language, self.resolution, self.surround = QComboBox(), QComboBox(), QComboBox()
         self.swatch = Swatch()
-        self.memory = QSpinBox()
+        self.memory = WholeNumberBox()
         self.author = QLineEdit(self._preferences.author)
         self.after_export = QLineEdit(self._preferences.after_export)
         self.folders = {purpose: QLineEdit(settings.settled_folder(purpose)) for purpose in _FOLDERS}
