@@ -57,8 +57,8 @@ def plain(thing: object) -> str:
     """Return a type as text that is the same with every version of Python."""
     text = thing.__name__ if isinstance(thing, type) and not getattr(thing, "__args__", ()) else str(thing)
     text = re.sub(r"<function (\w+) at 0x[0-9a-f]+>", r"\1", text)
-    # NumPy says differently from version to version of what an array is one.
-    text = re.sub(r"\bndarray\[.*\]", "ndarray", text)
+    # NumPy and Python say differently from version to version what an array is, and of what.
+    text = re.sub(r"\b(?:ndarray|NDArray)\[.*\]", "ndarray", text)
     return re.sub(r"(?<![\w.])(?:\w+\.)+(\w+)", r"\1", text).replace("'", "")
 
 
