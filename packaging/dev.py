@@ -38,6 +38,7 @@ from dev_display import private_display
 from dev_system import (
     HEADLESS,
     TESTS,
+    TRANSLATIONS,
     WINDOW,
     SetupProblem,
     always,
@@ -94,8 +95,10 @@ def set_up(verb: str, *, yes: bool = False) -> Environment:
     environment = Environment(ROOT, sys.version_info[:2])
     extra = "" if verb in ("demo", "app") else "dev"
     support = () if environment.is_ready(extra) else virtual_environment_support(environment.version)
-    if verb in ("lint", "hooks", "translate", "site"):  # read the sources, draw nothing
+    if verb in ("lint", "hooks", "site"):  # read the sources, draw nothing
         supply(support, (), say, ask)
+    elif verb == "translate":
+        supply([*support, *TRANSLATIONS], (), say, ask)
     elif verb in ("test", "setup", "pictures", "endurance"):
         supply([*support, *HEADLESS, *WINDOW, *TESTS], (), say, ask)
     elif verb == "app" or has_display(os.environ):

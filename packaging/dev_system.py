@@ -46,8 +46,9 @@ HEADLESS = (
     Library(("libgl1",), "libGL.so.1", "OpenGL (libGL)"),
     Library(("libgl1-mesa-dri",), "", "the Mesa drivers"),
 )
+_GLIB = Library(("libglib2.0-0t64", "libglib2.0-0"), "libglib-2.0.so.0", "GLib 2")
 WINDOW = (
-    Library(("libglib2.0-0t64", "libglib2.0-0"), "libglib-2.0.so.0", "GLib 2"),
+    _GLIB,
     Library(("libdbus-1-3",), "libdbus-1.so.3", "D-Bus (libdbus)"),
     Library(("libfontconfig1",), "libfontconfig.so.1", "fontconfig"),
     Library(("libxkbcommon-x11-0",), "libxkbcommon-x11.so.0", "xkbcommon with X11"),
@@ -58,11 +59,15 @@ WINDOW = (
     Library(("libwayland-cursor0",), "libwayland-cursor.so.0", "Wayland cursor"),
     Library(("libwayland-egl1",), "libwayland-egl.so.1", "Wayland EGL"),
 )
+# Qt's tools for translations are linked with its network library, which the window has no use for.
+_KERBEROS = Library(("libgssapi-krb5-2",), "libgssapi_krb5.so.2", "Kerberos 5 (libgssapi_krb5)")
 TESTS = (
     Library(("xvfb",), "Xvfb", "Xvfb"),
     Library(("xauth",), "xauth", "xauth"),
     Library(("fonts-noto-cjk",), "", "the Noto CJK fonts"),
+    _KERBEROS,
 )
+TRANSLATIONS = (_GLIB, _KERBEROS)
 
 
 def virtual_environment_support(version: tuple[int, int]) -> tuple[Library, ...]:

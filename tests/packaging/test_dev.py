@@ -208,6 +208,19 @@ def test_the_window_s_libraries_are_needed_only_where_a_window_can_open(
     assert set(modules.system.WINDOW) <= {*needed, *wished}
 
 
+@pytest.mark.parametrize("verb", ["translate", "test", "setup"])
+def test_what_qt_s_tools_for_translations_are_linked_with_is_there_where_they_run(
+    modules: Modules, monkeypatch: pytest.MonkeyPatch, verb: str
+) -> None:
+    asked: list[list[Any]] = []
+    monkeypatch.setattr(modules.dev, "supply", lambda needed, *_: asked.append(needed))
+    monkeypatch.setattr(modules.venv.Environment, "prepare", lambda *_: None)
+    monkeypatch.setattr(modules.venv.Environment, "compile_sources", lambda _: None)
+    modules.dev.set_up(verb)
+    assert set(modules.system.TRANSLATIONS) <= set(asked[0])
+    assert len(asked[0]) == len(set(asked[0]))
+
+
 @pytest.mark.parametrize(
     ("arguments", "ci", "asks"), [([], "", True), (["--yes"], "", False), ([], "true", False), ([], "0", True)]
 )
