@@ -89,6 +89,21 @@ def test_a_handle_stays_between_its_key_and_the_next() -> None:
     assert ease_toward(track, 1, 0, EaseHandle(3.0, 2.0)) == Ease(1.0, 0.5)
 
 
+def test_each_kind_of_key_goes_on_to_the_next_in_its_own_way() -> None:
+    track = Track(0.0, (Key(1, 0.0, LINEAR), Key(5, 4.0, HOLD), Key(9, 0.0, BEZIER), Key(12, 6.0, BEZIER)))
+    values, speeds = value_line(track, 0, 0, 12), speed_line(track, 0, 0, 12)
+    ways = [(0, 0), (1, 0), (1, 0), (5, 4), (5, 4), (9, 4), (9, 0)]
+    assert list(zip(values.frames[: len(ways)], values.values, strict=False)) == ways
+    steps = [(0, 0), (1, 0), (1, 1), (5, 1), (5, 0), (9, 0)]
+    assert list(zip(speeds.frames[: len(steps)], speeds.values, strict=False)) == steps
+    assert (values.frames[-1], values.values[-1]) == (12, 6)
+    # Eases at rest: it leaves and arrives standing still, and is steepest half-way.
+    eased = speeds.values[speeds.frames > 9]
+    assert eased[-1] == pytest.approx(0.0, abs=1e-9)
+    assert eased.max() == pytest.approx(eased[np.argmin(np.abs(speeds.frames[speeds.frames > 9] - 10.5))], abs=1e-9)
+    assert [speeds_at(track, index, 0) for index in range(3)] == [(0.0, 1.0), (1.0, 0.0), (0.0, 0.0)]
+
+
 def test_a_constant_is_a_level_line() -> None:
     line = value_line(Track((3.0, 7.0)), 1, 1, 24)
     assert (line.frames.tolist(), line.values.tolist()) == ([1, 24], [7, 7])

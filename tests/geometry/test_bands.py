@@ -32,6 +32,9 @@ def test_the_blur_grows_to_its_amount_over_the_distance() -> None:
     assert blur.distance_of(10.0) == 50.0
     assert blur.distance_of(41.0) == inf
     assert Blur(40.0, 0.0).sigma_at(0.0) == 40.0
+    softening = Blur(30.0, 200.0, 10.0, 0.1)
+    assert [softening.sigma_at(v) for v in (0.0, 300.0)] == [10.0, 50.0]
+    assert [softening.distance_of(sigma) for sigma in (10.0, 50.0)] == [0.0, 300.0]
 
 
 def nothing_or(least: float, most: float) -> st.SearchStrategy[float]:

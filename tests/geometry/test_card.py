@@ -64,6 +64,17 @@ def test_with_three_points_it_is_folded_at_the_middle_one() -> None:
     assert not card.merged
 
 
+def test_stood_up_it_goes_through_its_points_and_rises_along_the_ground_s_normal() -> None:
+    points = [(300.0, 800.0), (500.0, 850.0), (700.0, 790.0)]
+    card = card_for(CAMERA, GROUND, points, 20.0, 300.0, 1.0)
+    left, right = card.pieces
+    assert (card.upright, card.contacts) == (1.0, card_for(CAMERA, GROUND, points, 20.0, 300.0).contacts)
+    assert left.adjoins(right)
+    for piece, feet in ((left, card.contacts[:2]), (right, card.contacts[1:])):
+        assert dot(piece.normal, GROUND.normal) == pytest.approx(0.0, abs=1e-9)
+        assert [height_over(piece.plane, (*foot, 1.0)) for foot in feet] == pytest.approx([0.0, 0.0], abs=1e-6)
+
+
 @pytest.mark.parametrize(
     "points",
     [
