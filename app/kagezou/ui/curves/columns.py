@@ -4,10 +4,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
-_TREE_LETTERS = 17
-_LISTS_LETTERS = (24, 48)
-_LISTS_SHARE = 0.19
-"""The lists at the right have this part of the width, as far as it is between those numbers of letters."""
+_TREE_LETTERS, _LISTS_LETTERS = (17, 40), (24, 48)
+_TREE_SHARE, _LISTS_SHARE = 0.14, 0.19
+"""The list at the left and those at the right have these parts of the width, as far as they are between those numbers
+of letters."""
 
 
 class Columns(QSplitter):
@@ -25,7 +25,7 @@ class Columns(QSplitter):
             self.addWidget(widget)
         self.setStretchFactor(1, 1)
         letter = self.fontMetrics().horizontalAdvance("0")
-        tree.setMinimumWidth(_TREE_LETTERS * letter)
+        tree.setMinimumWidth(_TREE_LETTERS[0] * letter)
         lists.setMinimumWidth(_LISTS_LETTERS[0] * letter)
         self._letter = letter
         self._is_drawn = False
@@ -37,10 +37,13 @@ class Columns(QSplitter):
             self._share_out(event.size().width())
 
     def _share_out(self, width: int) -> None:
-        least, most = (letters * self._letter for letters in _LISTS_LETTERS)
-        lists = min(max(round(width * _LISTS_SHARE), least), most)
-        tree = _TREE_LETTERS * self._letter
+        tree = self._part_of(width, _TREE_SHARE, _TREE_LETTERS)
+        lists = self._part_of(width, _LISTS_SHARE, _LISTS_LETTERS)
         self.setSizes([tree, max(width - tree - lists, 1), lists])
+
+    def _part_of(self, width: int, share: float, letters: tuple[int, int]) -> int:
+        least, most = (each * self._letter for each in letters)
+        return min(max(round(width * share), least), most)
 
     def _leave_alone(self) -> None:
         self._is_drawn = True
