@@ -120,15 +120,14 @@ class BlurPass:
         source, goal = way
         if not parts:
             return
-        for strip, part in parts:
-            if isinstance(part, BlurTiles):
-                goal.clear(strip.shown)
         goal.bind()
         size: Uniforms = {"u_target_size_px": goal.size_px}
-        full = [part.full for _, part in parts if isinstance(part, BlurTiles)]
-        if full:
+        tiled = [(strip.shown, part.full) for strip, part in parts if isinstance(part, BlurTiles)]
+        if tiled:
+            self._full[frozenset()].use(size | {"u_strength": 0.0})
+            self._boxes.draw(np.concatenate([box_array(shown) for shown, _ in tiled]))
             self._full[frozenset()].use(size | {"u_strength": 1.0})
-            self._boxes.draw(np.concatenate(full))
+            self._boxes.draw(np.concatenate([full for _, full in tiled]))
         source.texture.bind(0)
         self._blur[STRIPS | direction].use(size | uniforms)
         summed = [part.summed if isinstance(part, BlurTiles) else box_array(part) for _, part in parts]
