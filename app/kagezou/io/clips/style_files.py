@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
@@ -40,8 +41,9 @@ class StyleFile:
     """Whether it lies in a folder of ``KAGEZOU_STYLES``."""
 
 
+@cache
 def bundled_styles() -> tuple[StyleFile, ...]:
-    """Return the styles that come with the program."""
+    """Return the styles that come with the program; read once."""
     return tuple(StyleFile(load_style(path), path, is_own=False) for path in _files(resource_folder() / "styles"))
 
 
