@@ -127,3 +127,5 @@ def test_a_bundle_for_macs_lies_where_the_panel_looks() -> None:
     assert '"/Applications/Kagezou.app/Contents/MacOS/kagezou"' in panel
     assert 'name="Kagezou.app"' in spec
     assert 'program("kagezou", console=True)' in spec
+    # A console program in a bundle of PyInstaller's has no windows unless this says so.
+    assert '"LSBackgroundOnly": False' in spec
