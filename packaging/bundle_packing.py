@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
@@ -58,11 +59,7 @@ def packed(folder: Path, out: Path, version: str) -> Iterator[Path]:
     if sys.platform == "win32":
         yield Path(shutil.make_archive(str(out / name), "zip", folder.parent, folder.name))
     elif sys.platform == "darwin":
-        target = out / f"{name}.dmg"
-        target.unlink(missing_ok=True)
-        words = ["hdiutil", "create", "-volname", "Kagezou", "-srcfolder", str(folder.parent / "Kagezou.app"), "-ov"]
-        subprocess.run([*words, str(target)], check=True)
-        yield target
+        yield disk_image(folder.parent / "Kagezou.app", out / f"{name}.dmg")
     else:
         archive = out / f"{name}.tar.xz"
         _tar(folder, archive, name)
@@ -70,6 +67,17 @@ def packed(folder: Path, out: Path, version: str) -> Iterator[Path]:
         yield self_unpacking(archive, out / f"{name}.run", version)
         if shutil.which("dpkg-deb"):
             yield _deb(folder, out, version)
+
+
+def disk_image(application: Path, target: Path) -> Path:
+    """Make a disk image for Macs of an application, beside the folder that it is to be dragged into."""
+    with tempfile.TemporaryDirectory() as scratch:
+        # It keeps what the signature is over, as other ways to copy do not.
+        subprocess.run(["ditto", str(application), str(Path(scratch) / application.name)], check=True)
+        Path(scratch, "Applications").symlink_to("/Applications")
+        words = ["hdiutil", "create", "-volname", application.stem, "-srcfolder", scratch, "-ov", str(target)]
+        subprocess.run(words, check=True)
+    return target
 
 
 def _system() -> str:

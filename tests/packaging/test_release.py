@@ -107,6 +107,26 @@ def test_a_bundle_that_unpacks_itself_replaces_nothing_but_a_bundle(tmp_path: Pa
     assert [path.name for path in home.parent.iterdir()] == ["kagezou"]
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links stand for folders there only with rights of their own")
+def test_a_disk_image_shows_where_the_application_is_to_be_dragged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "Kagezou.app" / "Contents").mkdir(parents=True)
+    shown: list[str] = []
+
+    def tool_of_a_mac(words: list[str], *, check: bool) -> None:
+        assert check
+        if words[0] == "ditto":
+            shutil.copytree(words[1], words[2])
+        else:
+            assert words[:4] == ["hdiutil", "create", "-volname", "Kagezou"]
+            shown.extend(sorted(path.name for path in Path(words[words.index("-srcfolder") + 1]).iterdir()))
+
+    monkeypatch.setattr(subprocess, "run", tool_of_a_mac)
+    bundle_packing.disk_image(tmp_path / "Kagezou.app", tmp_path / "kagezou.dmg")
+    assert shown == ["Applications", "Kagezou.app"]
+
+
 def test_the_installer_says_where_the_panel_looks_where_the_program_is() -> None:
     """``autoappdata`` of Inno Setup is what After Effects calls userData, and appData where it is for all users."""
     script = (ROOT / "packaging" / "windows" / "kagezou.iss").read_text(encoding="utf-8")
