@@ -127,6 +127,38 @@ def test_render_tells_the_names_that_files_carry(shell: Shell, tmp_path: Path) -
     assert shell.said == "kagezou: note: layer 'a/b' is written as 'a_b', which every system accepts\n"
 
 
+WATCHED = """
+import importlib.machinery, threading
+from kagezou.render.gpu import context
+
+is_loading = threading.Event()
+create, load = importlib.machinery.ExtensionFileLoader.create_module, context.loading_driver
+
+def watched_create(loader, spec):
+    if is_loading.is_set() and threading.current_thread() is threading.main_thread():
+        print("waits:", spec.name, flush=True)
+    return create(loader, spec)
+
+def watched_load():
+    is_loading.set()
+    print("the driver begins", flush=True)
+    return load()
+
+importlib.machinery.ExtensionFileLoader.create_module = watched_create
+context.loading_driver = watched_load
+from kagezou.__main__ import program
+program()
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere the driver is the window system's")
+def test_nobody_waits_while_the_driver_loads_its_libraries(project: Path, tmp_path: Path) -> None:
+    """A system loads one library at a time: what is wanted for a frame is there before the driver begins."""
+    words = ["render", str(project), "-o", str(tmp_path / "out"), "--frames", "1"]
+    done = subprocess.run([sys.executable, "-c", WATCHED, *words], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines() == ["the driver begins", str(tmp_path / "out" / "Hero_shadow")]
+
+
 def test_render_into_a_file_is_refused(shell: Shell, project: Path) -> None:
     assert "walk.kage" in shell.fails(4, "render", project, "-o", project)
 

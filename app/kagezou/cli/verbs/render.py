@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from kagezou.export.request import Cancelled, ExportRequest, Progress, Summary
 
 _WORTH_SHARING: Final = 12
-_LIBRARIES: Final = ("kagezou.io.images.cel_cache", "concurrent.futures.thread")
+_LIBRARIES: Final = ("kagezou.io.images.cel_cache", "concurrent.futures.thread", "statistics")
 """What loads libraries that a frame wants: while the driver loads its own no other can be."""
 
 DESCRIPTION = """\
