@@ -1,9 +1,10 @@
 """A program that needs no Python: one folder made by PyInstaller for the system this runs on, tried, and packed.
 
 ``python3 packaging/bundle.py [--with video usd gradients] [--out DIR]`` makes an environment of its own in
-build/bundle, the folder, then tries it (bundle_trial.py). What passes is packed: on Linux as ``.tar.xz``, as a
-script that unpacks itself, and as ``.deb`` where dpkg-deb is; on Windows as ``.zip`` (packaging/windows/kagezou.iss
-makes the installer of the folder); on macOS as ``.dmg``. Sizes are printed.
+build/bundle, the folder with the licences of all that is in it (bundle_licenses.py), then tries it (bundle_trial.py).
+What passes is packed: on Linux as ``.tar.xz``, as a script that unpacks itself, and as ``.deb`` where dpkg-deb is; on
+Windows as ``.zip`` (packaging/windows/kagezou.iss makes the installer of the folder); on macOS as ``.dmg``; beside it
+lies a CycloneDX list of its parts. Sizes are printed.
 """
 
 import argparse
@@ -15,6 +16,7 @@ import venv
 from pathlib import Path
 from typing import Final
 
+from bundle_licenses import add_texts_of_system, collected
 from bundle_mesa import LIBRARIES
 from bundle_packing import packed
 from bundle_slimming import slimmed
@@ -37,6 +39,7 @@ def main() -> int:
     options = parser.parse_args()
     python = _environment(options.parts)
     folder = _made(python, options.parts)
+    add_texts_of_system(folder / "_internal", folder / "_internal" / "licenses", say)
     slimmed(folder, say)
     if os.name == "nt":
         with_mesa(folder, ROOT / "build" / "mesa")
@@ -63,7 +66,10 @@ def _environment(parts: list[str]) -> Path:
 def _made(python: Path, parts: list[str]) -> Path:
     """Return the folder that PyInstaller makes."""
     words = ["--noconfirm", "--log-level", "WARN", "--distpath", str(BUILD / "dist"), "--workpath", str(BUILD / "work")]
-    environment = {**os.environ, "KAGEZOU_BUNDLE_WITH": " ".join(parts)}
+    licenses = collected(python, BUILD / "licenses")
+    environment = {
+        **os.environ, "KAGEZOU_BUNDLE_WITH": " ".join(parts), "KAGEZOU_BUNDLE_LICENSES": str(licenses),
+    }  # fmt: skip
     spec = str(ROOT / "packaging" / "kagezou.spec")
     subprocess.run([python, "-m", "PyInstaller", *words, spec], check=True, env=environment)
     return BUILD / "dist" / "kagezou"

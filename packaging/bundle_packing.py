@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+from bundle_licenses import PARTS_LIST
+
 LIBRARIES: Final = (
     "libstdc++6", "libegl1", "libgl1", "libgl1-mesa-dri", "libglib2.0-0t64 | libglib2.0-0", "libdbus-1-3",
     "libfontconfig1", "libxkbcommon-x11-0", "libxcb-cursor0", "libxcb-icccm4", "libxcb-keysyms1", "libxcb-shape0",
@@ -48,6 +50,14 @@ exit 0
 """
 
 
+_COPYRIGHT: Final = f"""\
+Kagezou is under the Apache License 2.0 (/usr/share/common-licenses/Apache-2.0).
+
+What else is in the package, and under which terms, is told in /{_HOME}/_internal/licenses/THIRD_PARTY.md; the texts of
+these licences lie beside it, and in the folders /{_HOME}/_internal/*.dist-info.
+"""
+
+
 _OF_CODE: Final = [{"id": lzma.FILTER_X86}] if platform.machine() == "x86_64" else []
 _PACKING: Final = [*_OF_CODE, {"id": lzma.FILTER_LZMA2, "preset": 9}]
 """Addresses in machine code are told from where they stand before they are packed."""
@@ -56,6 +66,7 @@ _PACKING: Final = [*_OF_CODE, {"id": lzma.FILTER_LZMA2, "preset": 9}]
 def packed(folder: Path, out: Path, version: str) -> Iterator[Path]:
     """Pack a bundle for the system this runs on, and yield the files as they are made."""
     name = f"kagezou-{version}-{_system()}"
+    yield Path(shutil.copy(folder / "_internal" / "licenses" / PARTS_LIST, out / f"{name}.cdx.json"))
     if sys.platform == "win32":
         yield Path(shutil.make_archive(str(out / name), "zip", folder.parent, folder.name))
     elif sys.platform == "darwin":
@@ -127,6 +138,8 @@ def _deb(folder: Path, out: Path, version: str) -> Path:
         "/usr/bin/kagezou",
     ]
     subprocess.run(words, check=True, env=environment)
+    (root / "usr" / "share" / "doc" / "kagezou").mkdir(parents=True)
+    (root / "usr" / "share" / "doc" / "kagezou" / "copyright").write_text(_COPYRIGHT, encoding="utf-8")
     control = root / "DEBIAN"
     control.mkdir()
     size_kb = sum(path.stat().st_size for path in root.rglob("*") if path.is_file() and not path.is_symlink()) // 1024

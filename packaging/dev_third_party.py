@@ -32,10 +32,15 @@ _HEAD: Final = """\
 # What is shipped with Kagezou, and under which terms
 
 Made by `packaging/dev_third_party.py` from the packages of a bundle; do not edit. Kagezou itself is under the Apache
-License 2.0 (`LICENSE`). The licence texts lie in the folders `*.dist-info` of a bundle and of every installation.
+License 2.0 (`LICENSE`). The licence texts lie in `_internal` of a bundle, in the folders `licenses` and `*.dist-info`,
+and in the folders `*.dist-info` of every installation.
+
+**Python** in a bundle is under the PSF License 2. On Linux there are libraries of the system besides (X11, xkbcommon
+and others); their texts lie in `licenses`, too.
 
 **Qt and PySide** are used under the LGPL 3. A bundle holds them as libraries of their own in `_internal/PySide6`: they
-may be replaced by other builds of the same version, which is all that the licence asks for; nothing of them is changed.
+may be replaced by other builds of the same version, which is all that the licence asks for. On Linux names that nobody
+looks up are left out of them (`strip`); nothing else of them is changed.
 Their sources are at <https://download.qt.io/official_releases/QtForPython/>.
 
 **ICU**, which comes with Qt, is under the Unicode License 3. On Linux a bundle holds its data (`libicudata`) for
