@@ -1954,6 +1954,10 @@
         <translation>なし</translation>
     </message>
     <message>
+        <source>Under the Apache License 2.0. Qt is used under the GNU LGPL 3.</source>
+        <translation>Apache License 2.0 で提供しています。Qt は GNU LGPL 3 に基づいて使用しています。</translation>
+    </message>
+    <message>
         <source>Play / stop</source>
         <translation>再生／停止</translation>
     </message>

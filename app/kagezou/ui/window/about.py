@@ -25,6 +25,7 @@ def about_dialog(parent: QWidget, graphics: str) -> QDialog:
         translate("Help", "Version %1").replace("%1", __version__),
         f"Python {python_version()}    Qt {qVersion()}",
         translate("Help", "Graphics: %1").replace("%1", graphics or translate("Help", "none")),
+        translate("Help", "Under the Apache License 2.0. Qt is used under the GNU LGPL 3."),
     )
     words = QLabel("\n".join(lines))
     words.setAlignment(Qt.AlignmentFlag.AlignHCenter)
