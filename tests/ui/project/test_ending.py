@@ -26,7 +26,6 @@ from kagezou.ui.project.keepsakes import left_behind
 from kagezou.ui.project.open_project import OpenProject
 from kagezou.ui.project.recovery import RecoveryDialog
 from kagezou.ui.system.settings import Settings
-from tests.effort import chequered
 
 DECLINATION = Address(GROUND_DECLINATION)
 HOUR_S = 3600
@@ -312,7 +311,8 @@ class TestRecovery:
 
 class TestEnding:
     @on_posix
-    @pytest.mark.parametrize(("name", "state"), chequered(["SIGTERM", "SIGHUP", "SIGINT"], ["working", "asking"]))
+    @pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
+    @pytest.mark.parametrize("state", ["working", "asking"])
     def test_a_signal_keeps_the_work_first(self, filled: OpenProject, tmp_path: Path, name: str, state: str) -> None:
         project = tmp_path / "walk.kage"
         filled.save(project)
