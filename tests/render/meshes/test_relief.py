@@ -7,7 +7,6 @@ import pytest
 
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
-from tests.effort import chequered
 from tests.render.passes.test_relief import BALL, FEET, WALL, Values, cast_of, drawn, on_feet, planted
 from tests.render.reference.mesh_scenes import Meshes, as_meshes
 from tests.render.sets.test_exactness import in_a_set
@@ -32,7 +31,9 @@ FILTERS: dict[str, Values] = {
 PLACES: dict[str, dict[str, Values]] = {"ground": {}, "wall": WALL, "ball": BALL}
 
 
-@pytest.mark.parametrize(("name", "place", "fov"), chequered(FILTERS, [*PLACES, "mesh"], [0.0, 40.0]))
+@pytest.mark.parametrize("fov", [0.0, 40.0])
+@pytest.mark.parametrize("place", [*PLACES, "mesh"])
+@pytest.mark.parametrize("name", FILTERS)
 def test_a_card_with_hardly_any_relief_shows_no_seam(
     mesh_renderer: Renderer, meshes: Meshes, figure: Path, name: str, place: str, fov: float
 ) -> None:

@@ -10,7 +10,6 @@ from kagezou.document.set_pieces import add_piece
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import Scene
-from tests.effort import chequered
 from tests.render.reference.figures import standing, with_values
 from tests.render.reference.mesh_scenes import Array, Meshes, heights_mesh, with_pieces
 from tests.render.reference.outlines import Shift
@@ -44,7 +43,8 @@ def on_a_floor(scene: Scene, meshes: Meshes) -> Scene:
     return with_pieces(scene, (meshes.piece("floor", floor),), has_ground=False)
 
 
-@pytest.mark.parametrize(("name", "view"), chequered(FILTERS, VIEWS))
+@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("name", FILTERS)
 def test_a_mesh_floor_shows_what_the_flat_ground_does(
     mesh_renderer: Renderer, meshes: Meshes, figure: Path, name: str, view: str
 ) -> None:

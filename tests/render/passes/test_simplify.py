@@ -12,7 +12,7 @@ from kagezou.io.images.cel_cache import CelCache
 from kagezou.render.renderer import Renderer
 from kagezou.scene.evaluate import evaluate
 from kagezou.scene.scene import ShadowCast
-from tests.effort import chequered, tries
+from tests.effort import tries
 from tests.render.reference import blurred, raycast
 from tests.render.reference.blurred import ContactLine, Squares
 from tests.render.reference.figures import figure_alpha, standing, with_values, write_figure
@@ -57,8 +57,8 @@ SET_UPS: dict[str, Values] = {
 AMOUNTS = (4.0, 12.0, 40.0, 90.0, 200.0)
 DISTANCES = (0.0, 60.0, 200.0)
 FEW = ((12.0, 60.0), (40.0, 0.0), (90.0, 200.0))
-CASES = [("plain", *each) for each in chequered(AMOUNTS, DISTANCES)]
-CASES += [(name, *each) for name in list(SET_UPS)[1:3] for each in chequered((4.0, 40.0, 200.0), DISTANCES)]
+CASES = [("plain", s, d) for s in AMOUNTS for d in DISTANCES]
+CASES += [(name, s, d) for name in list(SET_UPS)[1:3] for s in (4.0, 40.0, 200.0) for d in DISTANCES]
 CASES += [(name, s, d) for name in list(SET_UPS)[3:] for s, d in FEW]
 
 
