@@ -46,10 +46,10 @@ def _of_python() -> Path:
 
 
 def add_texts_of_system(libraries: Path, home: Path, say: Say) -> None:
-    """Add the texts of the packages that the system's libraries in a bundle's folder come from."""
-    dpkg = shutil.which("dpkg")
+    """Add the texts of the packages that the system's libraries in a bundle's folder come from; what lacks is said."""
     if not sys.platform.startswith("linux"):
         return
+    dpkg = shutil.which("dpkg")
     if dpkg is None:
         say("the texts of the system's libraries are not in the bundle: which package they are of is asked of dpkg")
         return
@@ -59,3 +59,5 @@ def add_texts_of_system(libraries: Path, home: Path, say: Say) -> None:
         text = _DOCUMENTS / package / "copyright"
         if text.is_file():
             shutil.copyfile(text, home / f"{package}.txt")
+        else:
+            say(f"the bundle has no text of {package}: there is no {text}")

@@ -61,6 +61,16 @@ def test_the_system_s_libraries_bring_their_texts(tmp_path: Path) -> None:
     assert said == []
 
 
+@pytest.mark.skipif(shutil.which("dpkg") is None, reason="dpkg is not installed, which knows whose a library is")
+def test_a_package_without_its_text_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bundle_licenses, "_DOCUMENTS", tmp_path)
+    (tmp_path / "libc.so.6").touch()
+    said: list[str] = []
+    bundle_licenses.add_texts_of_system(tmp_path, tmp_path, said.append)
+    assert len(said) == 1
+    assert "no text of libc6" in said[0]
+
+
 def test_where_nothing_tells_whose_a_library_is_it_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.setenv("PATH", str(tmp_path))
