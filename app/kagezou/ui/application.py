@@ -60,8 +60,10 @@ def run(project: Path | None, *, arguments: Sequence[str] = (), make_demo: MakeD
     ends = EndSignals()
     ends.came.connect(program.end)
     ends.watch()
-    files = OpenedFiles(application)
-    files.came.connect(program.open)
+    if sys.platform == "darwin":
+        # Elsewhere files come by the command line, and who looks at every event would slow down all of them.
+        files = OpenedFiles(application)
+        files.came.connect(program.open)
     application.commitDataRequest.connect(program.be_ended)
     application.saveStateRequest.connect(lambda _: program.keep())
     program.show()

@@ -152,7 +152,8 @@ def test_a_report_alone_tells_what_is_there_and_what_should_be(shell: Shell, tmp
 
 def test_a_stop_file_stops_it_gently(tmp_path: Path) -> None:
     episode, out, progress = tmp_path / "ep", tmp_path / "out", tmp_path / "progress"
-    for number in range(1, 6):
+    # So many that they are not all made before it is asked, even by one who gets his turn late.
+    for number in range(1, 61):
         drawings(episode / f"c{number:03}")
     words = ["auto", episode, "-o", out, "--jobs", 1, "--progress-file", progress, "--json"]
     process = subprocess.Popen(

@@ -41,7 +41,7 @@ def pictured(qtbot: QtBot, walking: MainWindow) -> StyleList:
     walking.docks.all[2].raise_()
     made = walking.parts.panels.styles
     last = made.list.count() - 1
-    with qtbot.waitSignal(made.pictures.made, timeout=10_000, check_params_cb=lambda index, _: index == last):
+    with qtbot.waitSignal(made.pictures.made, check_params_cb=lambda index, _: index == last):
         made.reload()
     return made
 

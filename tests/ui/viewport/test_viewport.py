@@ -336,10 +336,12 @@ def test_the_letter_a_is_alt_while_the_hand_drags(qtbot: QtBot, walking: MainWin
     assert second[0] == pytest.approx(230.0 - first[0], abs=0.01), "the other one went the other way"
 
 
-def test_the_letter_a_is_not_held_on_when_the_window_is_left(qtbot: QtBot, walking: MainWindow) -> None:
+def test_the_letter_a_is_not_held_on_when_the_window_is_left(
+    qtbot: QtBot, qapp: QApplication, walking: MainWindow
+) -> None:
     qtbot.keyPress(walking.parts.viewport, Qt.Key.Key_A)
     assert walking.alt_key.is_held
-    QApplication.sendEvent(walking, QEvent(QEvent.Type.WindowDeactivate))
+    qapp.focusWindowChanged.emit(None)
     assert not walking.alt_key.is_held
 
 

@@ -1,16 +1,14 @@
 """A second way to hold Alt while dragging: window managers keep Alt-drags for moving windows."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QSinglePointEvent
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QSinglePointEvent, QWindow
 from PySide6.QtWidgets import QApplication
 
 _ALT = Qt.KeyboardModifier.AltModifier
-_KEYS = (QEvent.Type.KeyPress, QEvent.Type.KeyRelease, QEvent.Type.ShortcutOverride)
 _POINTING = (
     QEvent.Type.MouseButtonPress, QEvent.Type.MouseMove, QEvent.Type.MouseButtonRelease,
     QEvent.Type.TabletPress, QEvent.Type.TabletMove, QEvent.Type.TabletRelease,
 )  # fmt: skip
-_WATCHED = (*_KEYS, *_POINTING, QEvent.Type.TabletLeaveProximity, QEvent.Type.WindowDeactivate)
 
 
 class AltKey(QObject):
@@ -25,31 +23,35 @@ class AltKey(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.is_held = False
-        application = QApplication.instance()
-        assert application is not None
+        application = _application()
         application.installEventFilter(self)
+        application.focusWindowChanged.connect(self._let_go)
 
     def finish(self) -> None:
         """Look at events no more, before the window goes."""
-        application = QApplication.instance()
-        if application is not None:
-            application.removeEventFilter(self)
+        application = _application()
+        application.removeEventFilter(self)
+        application.focusWindowChanged.disconnect(self._let_go)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Every event of the whole program comes by, thousands where a window is built: its class is known at once.
+        if isinstance(event, QKeyEvent):
+            return event.key() == Qt.Key.Key_A and self._take(event)
+        if isinstance(event, QSinglePointEvent):
+            self._point(event)
+        return False
+
+    def _point(self, event: QSinglePointEvent) -> None:
+        """Have a hand that points hold Alt, and tell that a pen has left."""
         kind = event.type()
-        # Every event of the whole program comes by: thousands where a window is built.
-        if kind not in _WATCHED:
-            return False
         if kind is QEvent.Type.TabletLeaveProximity:
             self.pen_left.emit()
-        if kind is QEvent.Type.WindowDeactivate:
-            # Where the key comes up then, nobody here sees it.
-            self.is_held = False
-        if kind in _KEYS and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_A:
-            return self._take(event)
-        if kind in _POINTING and self.is_held and isinstance(event, QSinglePointEvent):
+        if self.is_held and kind in _POINTING:
             event.setModifiers(event.modifiers() | _ALT)
-        return False
+
+    def _let_go(self, _window: QWindow | None) -> None:
+        """Hold the key no more: where it comes up in another program, nobody here sees it."""
+        self.is_held = False
 
     def _take(self, event: QKeyEvent) -> bool:
         """Take note of the key, and keep it from everyone else while the hand drags."""
@@ -65,3 +67,9 @@ class AltKey(QObject):
         if drags and event.type() is QEvent.Type.ShortcutOverride:
             event.accept()
         return drags
+
+
+def _application() -> QApplication:
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    return application

@@ -25,4 +25,4 @@ class OpenedFiles(QObject):
         if isinstance(event, QFileOpenEvent) and event.file():
             self.came.emit(Path(event.file()))
             return True
-        return super().eventFilter(watched, event)
+        return False
