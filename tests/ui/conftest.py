@@ -1,6 +1,7 @@
 """What the tests of the window share: an application as the program makes it, settings of their own, small cels."""
 
 import os
+import shutil
 from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
@@ -175,14 +176,19 @@ def settings(tmp_path: Path) -> Settings:
     return Settings(store, tmp_path / "styles", tmp_path / "unsaved", tmp_path / "pictures", tmp_path / "spare")
 
 
-@pytest.fixture
-def cels(tmp_path: Path) -> Path:
-    """A folder with a short walk: a figure of a head, a body and two legs on 240 × 200 px."""
-    folder = tmp_path / "walker"
-    folder.mkdir()
+@pytest.fixture(scope="session")
+def drawn_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder that :func:`cels` is a copy of."""
+    folder = tmp_path_factory.mktemp("cels")
     for frame in range(1, FRAMES + 1):
         write_rgba(folder / f"walk_{frame:04d}.png", figure_rgba(frame))
     return folder
+
+
+@pytest.fixture
+def cels(drawn_once: Path, tmp_path: Path) -> Path:
+    """A folder with a short walk: a figure of a head, a body and two legs on 240 × 200 px."""
+    return shutil.copytree(drawn_once, tmp_path / "walker", copy_function=shutil.copyfile)
 
 
 @pytest.fixture

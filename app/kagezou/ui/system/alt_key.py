@@ -23,15 +23,16 @@ class AltKey(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.is_held = False
-        application = _application()
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
         application.installEventFilter(self)
         application.focusWindowChanged.connect(self._let_go)
 
     def finish(self) -> None:
         """Look at events no more, before the window goes."""
-        application = _application()
-        application.removeEventFilter(self)
-        application.focusWindowChanged.disconnect(self._let_go)
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Every event of the whole program comes by, thousands where a window is built: its class is known at once.
@@ -67,9 +68,3 @@ class AltKey(QObject):
         if drags and event.type() is QEvent.Type.ShortcutOverride:
             event.accept()
         return drags
-
-
-def _application() -> QApplication:
-    application = QApplication.instance()
-    assert isinstance(application, QApplication)
-    return application
