@@ -21,8 +21,10 @@ def add_after(parser: Parser) -> None:
     )
 
 
-def hand_on_export(over: "Handover", command: str | None, stops: Callable[[], bool]) -> bool:
+def hand_on_export(over: "Callable[[], Handover]", command: str | None, stops: Callable[[], bool]) -> bool:
     """Run what comes after an export, and say what came of it; return False where the person stopped it.
+
+    ``over`` makes what is handed on, and is called only where something comes after.
 
     Raises
     ------
@@ -31,8 +33,11 @@ def hand_on_export(over: "Handover", command: str | None, stops: Callable[[], bo
     """
     from kagezou.export.after.hooks import hand_on, hooks_of
 
+    hooks = hooks_of(command)
+    if not hooks:
+        return True
     try:
-        said = hand_on(over, hooks_of(command), stops)
+        said = hand_on(over(), hooks, stops)
     except AfterExportFailed as problem:
         for sentence in problem.notes:
             note(sentence)

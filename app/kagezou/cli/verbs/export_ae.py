@@ -1,6 +1,7 @@
 """``kagezou export-ae``: footage and one script that builds the composition in After Effects."""
 
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -90,7 +91,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             done = HAND_OFF.export(document, request, entry_points.open_context, line.update, interruption.is_set)
         _report(done, as_json=options.json)
         files, is_whole = HAND_OFF.made_files(done), done.script is not None
-        over = Handover(HAND_OFF.key, document, options.project, files, is_whole, done.notes)
+        over = partial(Handover, HAND_OFF.key, document, options.project, files, is_whole, done.notes)
         if not hand_on_export(over, options.after, interruption.is_set):
             return interruption.exit_code
     return max(verdict(each, interruption) for each in done.exports)

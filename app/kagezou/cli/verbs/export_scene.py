@@ -1,6 +1,7 @@
 """``kagezou export-scene``: pictures of layers, and the scene of another program that lays them on each other."""
 
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -67,7 +68,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
             tell("stopped; the scene is written last, when all it needs is there")
             return interruption.exit_code
         files = exporter.made_files(made)
-        over = Handover(exporter.key, document, options.project, files, is_whole=True, notes=made.notes)
+        over = partial(Handover, exporter.key, document, options.project, files, is_whole=True, notes=made.notes)
         if not hand_on_export(over, options.after, interruption.is_set):
             return interruption.exit_code
     return 0

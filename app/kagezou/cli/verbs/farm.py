@@ -1,6 +1,7 @@
 """``kagezou farm``: a job bundle for a render farm."""
 
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -86,7 +87,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
     request = BundleRequest(job, bundle)
     made = FARM_JOB.export(document, request, entry_points.open_context, lambda _done, _all: None, lambda: False)
     give(shown(bundle / TEMPLATE))
-    over = Handover(FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
+    over = partial(Handover, FARM_JOB.key, document, project, FARM_JOB.made_files(made), is_whole=True)
     with stopping_gently() as interruption:
         is_over = hand_on_export(over, options.after, interruption.is_set)
     return 0 if is_over else interruption.exit_code

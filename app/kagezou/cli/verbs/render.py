@@ -3,6 +3,7 @@
 from argparse import Namespace
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -129,7 +130,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
                 lines.sum_up(summary)
         if not options.openjd:
             report(summary, as_json=options.json)
-        if not hand_on_export(_handover(options, document, summary), options.after, interruption.is_set):
+        if not hand_on_export(partial(_handover, options, document, summary), options.after, interruption.is_set):
             return interruption.exit_code
     return verdict(summary, interruption)
 
@@ -181,7 +182,7 @@ def _watched(options: Namespace, request: "ExportRequest", entry_points: EntryPo
         asked = replace(request, skip_existing=True, keep_going=True, anew=anew)
         summary = export_frames(document, asked, entry_points.open_context, line.update, stops)
         if summary.written:
-            hand_on_export(_handover(options, document, summary), options.after, stops)
+            hand_on_export(partial(_handover, options, document, summary), options.after, stops)
         return summary
 
     files = [options.project, options.timesheet, options.path_mapping]

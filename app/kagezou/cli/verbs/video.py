@@ -1,6 +1,7 @@
 """``kagezou video``: the cut as a video."""
 
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -66,7 +67,7 @@ def run(options: Namespace, entry_points: EntryPoints) -> int:
         if not done.is_whole:
             return interruption.exit_code
         files = VIDEO_FILE.made_files(done)
-        over = Handover(VIDEO_FILE.key, document, options.project, files, is_whole=True, notes=done.notes)
+        over = partial(Handover, VIDEO_FILE.key, document, options.project, files, is_whole=True, notes=done.notes)
         if not hand_on_export(over, options.after, interruption.is_set):
             return interruption.exit_code
     return 0

@@ -173,10 +173,12 @@ def _is_any_installed() -> bool:
     for place in map(Path, filter(None, sys.path)):
         if place.is_file():
             return True
-        with suppress(OSError):
-            for package in place.iterdir():
-                if package.suffix in {".dist-info", ".egg-info"} and group in _named_by(package):
-                    return True
+        with suppress(OSError), os.scandir(place) as found:
+            if any(
+                each.name.endswith((".dist-info", ".egg-info")) and group in _named_by(Path(each.path))
+                for each in found
+            ):
+                return True
     return False
 
 

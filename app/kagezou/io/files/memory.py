@@ -4,6 +4,9 @@ import os
 import sys
 from contextlib import suppress
 from pathlib import Path
+from typing import Final
+
+_AVAILABLE: Final = b"MemAvailable:"
 
 
 def free_memory() -> int | None:
@@ -11,10 +14,11 @@ def free_memory() -> int | None:
     if sys.platform == "win32":
         return _free_on_windows()
     try:
-        with Path("/proc/meminfo").open(encoding="ascii") as table:
-            rows = dict(line.split(":", 1) for line in table)
-        return int(rows["MemAvailable"].split()[0]) << 10
-    except (OSError, ValueError, KeyError, IndexError):
+        with Path("/proc/meminfo").open("rb") as table:
+            for line in table:
+                if line.startswith(_AVAILABLE):
+                    return int(line[len(_AVAILABLE) :].split()[0]) << 10
+    except (OSError, ValueError, IndexError):
         pass
     return whole_memory()
 
