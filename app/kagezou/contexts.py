@@ -4,8 +4,7 @@ The one place below the front door that knows the window's room; nothing of it i
 """
 
 import os
-import platform
-import socket
+import sys
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
@@ -23,7 +22,7 @@ _ANSWER_S: Final = 2.0
 
 def has_display() -> bool:
     """Return whether a window could be seen here."""
-    if platform.system() != "Linux":
+    if not sys.platform.startswith("linux"):
         return True
     return bool(os.environ.get("DISPLAY")) or _has_compositor()
 
@@ -46,6 +45,8 @@ def _has_compositor() -> bool:
     place = Path(os.environ.get("XDG_RUNTIME_DIR", ""), named)
     if not place.is_absolute():
         return False
+    import socket  # which takes as long as a verb that needs nothing of all this
+
     with socket.socket(socket.AF_UNIX) as door:
         door.settimeout(_ANSWER_S)
         try:

@@ -2,7 +2,6 @@
 
 import argparse
 from collections.abc import Iterable, Sequence
-from difflib import get_close_matches
 from fractions import Fraction
 from math import isfinite, nan
 from pathlib import Path
@@ -60,6 +59,8 @@ def _typed(action: argparse.Action) -> str:
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """Return ``"; did you mean X?"``, or nothing where nothing is near."""
+    from difflib import get_close_matches  # not for those who make no mistake
+
     near = get_close_matches(word, list(known), n=1)
     return f"; did you mean {near[0]}?" if near else ""
 

@@ -5,16 +5,16 @@ Nothing is sent. Names of the user's home folder are left out.
 
 import faulthandler
 import os
-import platform
+import secrets
 import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Final, TextIO
-from uuid import uuid4
 
 from kagezou.io.files.exclusive import locks
+from kagezou.io.files.this_system import system_words
 from kagezou.version import __version__
 
 KEPT: Final = 5
@@ -141,7 +141,7 @@ def _running_file(words: Sequence[str], folder: Path) -> TextIO | None:
     """Open what a fatal signal is written to, locked as long as this program lives; None where that cannot be."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        path = folder / f"{_RUNNING}{os.getpid()}-{uuid4().hex}.txt"
+        path = folder / f"{_RUNNING}{os.getpid()}-{secrets.token_hex(16)}.txt"
         # At once and without a buffer, so that nothing is left to be written where the disk is full.
         path.write_text(
             without_home("\n".join([*_head(), f"called with: {list(words)!r}"])) + _FATAL, "utf-8", errors="replace"
@@ -173,12 +173,12 @@ def _taken_over(path: Path) -> Path | None:
 
 def _new_name(folder: Path, at_s: float | None = None) -> Path:
     when = time.strftime("%Y%m%d-%H%M%S", time.localtime(at_s))
-    return folder / f"{_REPORT}{when}-{uuid4().hex[:8]}.txt"
+    return folder / f"{_REPORT}{when}-{secrets.token_hex(4)}.txt"
 
 
 def _head() -> list[str]:
     return [
-        f"Kagezou {__version__}, Python {platform.python_version()}, {platform.platform()}, {platform.machine()}",
+        f"Kagezou {__version__}, Python {sys.version.split()[0]}, {system_words()}",
         f"{time.strftime('%Y-%m-%d %H:%M:%S %z')}; this file stays on this computer, is sent nowhere, and may hold "
         "names of your files",
     ]

@@ -1,7 +1,6 @@
 """What nobody foresaw: errors that reach the top and Qt's own warnings are written down and said, never swallowed."""
 
 import logging
-import platform
 import sys
 import threading
 import traceback
@@ -16,6 +15,7 @@ from PySide6.QtCore import QMessageLogContext, QObject, QtMsgType, Signal, qInst
 
 from kagezou.errors import Problem
 from kagezou.io.files.crash_reports import LOG_NAME, write_report
+from kagezou.io.files.this_system import system_words
 from kagezou.ui.system.words import translated
 from kagezou.version import __version__
 
@@ -112,5 +112,5 @@ def _log_to_file() -> Path | None:
 
 def _beginning() -> str:
     """Return what stands first for each start: what runs, and what becomes of the file."""
-    versions = f"Kagezou {__version__}, Python {platform.python_version()}, Qt {qVersion()}, {platform.platform()}"
+    versions = f"Kagezou {__version__}, Python {sys.version.split()[0]}, Qt {qVersion()}, {system_words()}"
     return f"{versions}; this log stays on this computer, is sent nowhere, and may hold names of your files"
