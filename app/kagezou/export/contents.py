@@ -7,11 +7,10 @@ first scene that shows them, does not count for that.
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Self, TypeAlias
+from typing import TYPE_CHECKING, Self, TypeAlias
 
 import numpy as np
 
-from kagezou.export.guides import with_guides
 from kagezou.export.painter import Painter
 from kagezou.export.pictures import FlatPicture, Picture, ShadowPicture
 from kagezou.export.sources import Sources
@@ -19,7 +18,6 @@ from kagezou.geometry.box import Box
 from kagezou.geometry.camera import Camera
 from kagezou.io.images.writing import ShadowImage
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.scene.guide_lines import GuideLines
 from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.scene import (
     Contact,
@@ -32,6 +30,9 @@ from kagezou.scene.scene import (
     ShadowCast,
     ShadowLook,
 )
+
+if TYPE_CHECKING:
+    from kagezou.scene.guide_lines import GuideLines
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,10 +232,10 @@ class CompositeContent(Content):
     set_shadow: SetShadow | None = None
     clay: tuple[Camera, tuple[PieceScene, ...]] | None = None
     shadows_unite: bool = True
-    guides: GuideLines | None = None
+    guides: "GuideLines | None" = None
 
     @classmethod
-    def of(cls, scene: Scene, guides: GuideLines | None = None) -> Self:
+    def of(cls, scene: Scene, guides: "GuideLines | None" = None) -> Self:
         """Return the content of a whole scene."""
         layers = tuple(
             (each.drawing, each.cast, each.look, each.received, each.contact, each.reflection) for each in scene.layers
@@ -245,7 +246,11 @@ class CompositeContent(Content):
         """Draw it over the background."""
         painter.renderer.draw_picture(self.scene, Backdrop.BACKGROUND, painter.depth)
         pixels = painter.renderer.read_picture()
-        return FlatPicture(pixels if self.guides is None else with_guides(pixels, self.guides))
+        if self.guides is None:
+            return FlatPicture(pixels)
+        from kagezou.export.guides import with_guides
+
+        return FlatPicture(with_guides(pixels, self.guides))
 
     @property
     def sources(self) -> Sources:

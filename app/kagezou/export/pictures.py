@@ -4,15 +4,16 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
 from kagezou.io.files.atomic import write_bytes
 from kagezou.io.files.faults import output_problem
-from kagezou.io.images.layered import write_layered
 from kagezou.io.images.writing import ShadowImage, encode_png, encode_rgba_png, write_rgba, write_shadow
-from kagezou.io.pixels.layers import LayeredImage
+
+if TYPE_CHECKING:  # what layers are written with is loaded with the first of them
+    from kagezou.io.pixels.layers import LayeredImage
 
 Pixels = NDArray[Any]
 
@@ -81,10 +82,12 @@ class FlatPicture(Picture):
 class LayeredPicture(Picture):
     """A canvas of layers."""
 
-    image: LayeredImage
+    image: "LayeredImage"
 
     def write(self, path: Path) -> bytes:
         """Write it."""
+        from kagezou.io.images.layered import write_layered
+
         return _written_by(lambda: write_layered(path, self.image), path)
 
     def rgba(self) -> Pixels:

@@ -1,13 +1,12 @@
 """What a sequence of an export shows, from frame to frame."""
 
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from kagezou.document import properties
 from kagezou.document.model import Document
 from kagezou.document.set_properties import GROUND_RECEIVES
 from kagezou.document.values import rgb_at, value_at
-from kagezou.export.clay import ClayContent
 from kagezou.export.contents import (
     BlankContent,
     CompositeContent,
@@ -18,13 +17,13 @@ from kagezou.export.contents import (
     ShadowContent,
     UnitedContent,
 )
-from kagezou.export.layered import LayeredContent
-from kagezou.export.layers_of_frame import LayerOfFrame
-from kagezou.export.mixed_contents import ReceivedContent, TogetherContent
 from kagezou.scene.companions import contact_layer
-from kagezou.scene.guide_lines import guide_lines
 from kagezou.scene.pieces import SetCast
 from kagezou.scene.scene import LayerScene, Scene
+
+if TYPE_CHECKING:  # what few exports show is loaded by those
+    from kagezou.export.layered import LayeredContent
+    from kagezou.export.layers_of_frame import LayerOfFrame
 
 SET: Final = "set"
 SET_UNDER: Final = "set_under"
@@ -102,6 +101,8 @@ class TogetherSubject:
         layers = tuple(layer for layer in scene.layers if layer.id in self.layer_ids and layer.cast is not None)
         if not any(layer.look.multiply == self.multiply for layer in layers):
             return _nothing(document, self.layer_ids[0], scene, frame)
+        from kagezou.export.mixed_contents import TogetherContent
+
         return TogetherContent.of(scene, layers, multiply=self.multiply)
 
 
@@ -132,6 +133,8 @@ class ReceivedSubject(_OfLayer):
         ways = () if received is None else {shade.look.multiply for shade in received.shades}
         if seen is None or received is None or self.multiply not in ways:
             return _nothing(document, self.layer_id, scene, frame)
+        from kagezou.export.mixed_contents import ReceivedContent
+
         return ReceivedContent(scene, seen, received, self.multiply)
 
 
@@ -189,6 +192,8 @@ class ClaySubject:
 
     def content_at(self, _document: Document, scene: Scene, _frame: int) -> Content:
         """Return the sets; an empty picture while none is drawn there."""
+        from kagezou.export.clay import ClayContent
+
         return ClayContent.of(scene, is_under=self.is_under) or BlankContent(scene, _BLACK)
 
 
@@ -227,7 +232,11 @@ class CompositeSubject:
 
     def content_at(self, document: Document, scene: Scene, frame: int) -> Content:
         """Return the finished picture."""
-        return CompositeContent.of(scene, guide_lines(document, frame) if self.with_guides else None)
+        if not self.with_guides:
+            return CompositeContent.of(scene)
+        from kagezou.scene.guide_lines import guide_lines
+
+        return CompositeContent.of(scene, guide_lines(document, frame))
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,7 +255,7 @@ class LayeredSubject:
         As of `LayeredContent`.
     """
 
-    layers: tuple[LayerOfFrame, ...]
+    layers: "tuple[LayerOfFrame, ...]"
     has_set: bool
     is_whole: bool
     clay: tuple[bool, ...] = ()
@@ -256,8 +265,10 @@ class LayeredSubject:
         """Whose it is: `EVERYTHING`."""
         return EVERYTHING
 
-    def content_at(self, _document: Document, scene: Scene, _frame: int) -> LayeredContent:
+    def content_at(self, _document: Document, scene: Scene, _frame: int) -> "LayeredContent":
         """Return the frame; every one has the same list of layers."""
+        from kagezou.export.layered import LayeredContent
+
         if not self.is_whole:
             ids = {layer.id for layer in self.layers}
             chosen = tuple(layer for layer in scene.layers if layer.id in ids)

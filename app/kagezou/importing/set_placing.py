@@ -11,7 +11,7 @@ from kagezou.document.properties import OF_PIECE
 from kagezou.document.property import AnyProperty
 from kagezou.geometry.vectors import Matrix
 from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.scene.pieces import pieces_at
+from kagezou.scene.set_at_frame import pieces_at
 
 
 def placement(document: Document, piece_id: str, frame: int) -> Matrix | None:

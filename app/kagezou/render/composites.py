@@ -1,5 +1,8 @@
 """Finished pictures: what is laid over what, from the backdrop up."""
 
+from functools import cached_property
+from typing import TYPE_CHECKING
+
 from kagezou.errors import GraphicsProblem
 from kagezou.geometry.box import Box
 from kagezou.io.images.cel_cache import CelSource
@@ -7,12 +10,14 @@ from kagezou.message import Message
 from kagezou.render.coverage_cache import CoverageCache
 from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.targets import Format
-from kagezou.render.mirrors import Mirrors
-from kagezou.render.passes.picture import PicturePass
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.render.united_shadows import UnitedShadows
 from kagezou.scene.companions import contact_layer
 from kagezou.scene.scene import Scene
+
+if TYPE_CHECKING:  # what lays pictures together is loaded by whoever wants more than shadows
+    from kagezou.render.mirrors import Mirrors
+    from kagezou.render.passes.picture import PicturePass
+    from kagezou.render.united_shadows import UnitedShadows
 
 _SQUARE_PX = 16
 """The checkered backdrop's, canvas px."""
@@ -35,12 +40,24 @@ class Composites:
 
     def __init__(self, boxes: Boxes, cels: CelSource, shadows: CoverageCache, divisor: int) -> None:
         self._boxes, self._cels, self._shadows, self._divisor = boxes, cels, shadows, divisor
-        self.united = UnitedShadows(boxes, shadows)
-        self.mirrors = Mirrors(boxes, cels, shadows)
         self._picture: PicturePass | None = None
 
+    @cached_property
+    def united(self) -> "UnitedShadows":
+        """What makes shadows of one look one."""
+        from kagezou.render.united_shadows import UnitedShadows
+
+        return UnitedShadows(self._boxes, self._shadows)
+
+    @cached_property
+    def mirrors(self) -> "Mirrors":
+        """What mirrors figures in the ground."""
+        from kagezou.render.mirrors import Mirrors
+
+        return Mirrors(self._boxes, self._cels, self._shadows)
+
     @property
-    def drawn(self) -> PicturePass:
+    def drawn(self) -> "PicturePass":
         """The picture drawn last.
 
         Raises
@@ -89,15 +106,16 @@ class Composites:
         """Give the memory back."""
         if self._picture is not None:
             self._picture.close()
-        self.mirrors.close()
-        self.united.close()
+        for each in ("mirrors", "united"):
+            if each in vars(self):
+                getattr(self, each).close()
 
-    def _lay_set_shadow(self, picture: PicturePass, scene: Scene) -> None:
+    def _lay_set_shadow(self, picture: "PicturePass", scene: Scene) -> None:
         coverage = self._shadows.set_coverage(scene)
         if coverage is not None and coverage.box is not None and scene.set_shadow is not None:
             picture.lay_shadow(coverage.target.texture, coverage.box, None, scene.set_shadow.look)
 
-    def _lay_outlines(self, picture: PicturePass, scene: Scene, line_px: int) -> None:
+    def _lay_outlines(self, picture: "PicturePass", scene: Scene, line_px: int) -> None:
         """Lay the outlines of shadows over everything, each as soon as it is there."""
         for texture, box in self.united.outlined(scene):
             picture.lay_outline(texture, box, line_px)
@@ -106,7 +124,7 @@ class Composites:
                 if shade.box is not None:
                     picture.lay_outline(shade.target.texture, shade.box, line_px)
 
-    def _lay_beside(self, picture: PicturePass, scene: Scene) -> None:
+    def _lay_beside(self, picture: "PicturePass", scene: Scene) -> None:
         """Lay what figures have beside their shadows: patches under their feet, and over them their reflections."""
         for patches in map(contact_layer, scene.layers):
             coverage = None if patches is None else self._shadows.coverage(scene, patches)
@@ -117,7 +135,9 @@ class Composites:
             if mirrored is not None and mirrored.box is not None:
                 picture.lay_reflection(mirrored.target.texture, mirrored.box)
 
-    def _picture_for(self, canvas: Box, form: Format) -> PicturePass:
+    def _picture_for(self, canvas: Box, form: Format) -> "PicturePass":
+        from kagezou.render.passes.picture import PicturePass
+
         old = self._picture
         if old is not None and (old.target.box != canvas or old.target.texture.form is not form):
             old.close()

@@ -16,8 +16,6 @@ from kagezou.render.gpu.boxes import Boxes
 from kagezou.render.gpu.gl import GL, check
 from kagezou.render.gpu.info import read_info
 from kagezou.render.gpu.presenter import Presenter, WindowView
-from kagezou.render.gpu.targets import Format, Target
-from kagezou.render.passes.depth_map import DepthMapPass
 from kagezou.render.passes.received import ReceivedCoverage
 from kagezou.render.passes.shadow_image import Coloring, Drawn, ShadowImages
 from kagezou.render.prepare.backdrop import Backdrop
@@ -159,17 +157,10 @@ class Renderer:
 
     def depth_map_coverage(self, scene: Scene, layer: LayerScene, map_px: int = 4096) -> Steps:
         """Return a layer's covered parts, (H, W) 16 bit, found by a literal depth map: a cross-check, not a picture."""
-        target = Target(scene.canvas.width, scene.canvas.height, Format.ALPHA16)
-        target.clear()
+        from kagezou.render.passes.depth_map import mapped_coverage
+
         matte = None if layer.cast is None else self._shadows.silhouette(scene, layer.cast)
-        if layer.cast is not None and matte is not None:
-            depth_map = DepthMapPass(self._boxes, map_px)
-            depth_map.draw(layer.cast, matte, target)
-            depth_map.close()
-        coverage = target.read(target.box)
-        target.close()
-        check("drawing a depth map")
-        return coverage
+        return mapped_coverage(self._boxes, scene.canvas, (layer.cast, matte), map_px)
 
     def received_coverage(self, scene: Scene, layer: LayerScene) -> Steps:
         """Return the part of every pixel of a layer that others shade before opacity, (H, W) 16 bit."""

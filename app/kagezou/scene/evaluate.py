@@ -20,7 +20,7 @@ from kagezou.scene.filters import Edge, Simplify, Water
 from kagezou.scene.known_layers import KnownLayers
 from kagezou.scene.lift import Lift, faded, lift_at, lowered_cel
 from kagezou.scene.mirroring import reflection_at
-from kagezou.scene.pieces import PieceScene, SetCast, pieces_at
+from kagezou.scene.pieces import PieceScene, SetCast
 from kagezou.scene.placing import background_at, drawing_of, shown_parts
 from kagezou.scene.poses import casting_of
 from kagezou.scene.receiving import with_received
@@ -53,7 +53,7 @@ def evaluate(document: Document, frame: int, known: KnownLayers | None = None) -
     """
     camera = camera_at(document, frame)
     ground = ground_at(document, frame)
-    pieces = pieces_at(document, frame, camera, ground)
+    pieces = _pieces_at(document, frame, camera, ground)
     has_ground = value_at(document.tracks, set_properties.GROUND_RECEIVES, frame)
     stands = Moment(document, frame, camera, ground)
     seen = [layer for layer in document.layers if value_at(layer.tracks, properties.VISIBLE, frame)]
@@ -64,6 +64,14 @@ def evaluate(document: Document, frame: int, known: KnownLayers | None = None) -
     set_shadow = _set_shadow(document, frame, SetCast(camera, ground, pieces, (), has_ground))
     unite = value_at(document.tracks, SHADOWS_UNITE, frame)
     return Scene(document.canvas.box, camera, ground, background_at(document, frame), layers, pieces, set_shadow, unite)
+
+
+def _pieces_at(document: Document, frame: int, camera: Camera, ground: Plane) -> tuple[PieceScene, ...]:
+    if not document.pieces:
+        return ()
+    from kagezou.scene.set_at_frame import pieces_at  # loaded with the first set
+
+    return pieces_at(document, frame, camera, ground)
 
 
 def camera_at(document: Document, frame: int) -> Camera:

@@ -6,10 +6,9 @@ from typing import Final
 from kagezou.animation.frames import spread_frames
 from kagezou.document.model import Document
 from kagezou.errors import UsageProblem
-from kagezou.geometry.sets.bodies import Solid
 from kagezou.message import Message, first_names
 from kagezou.scene.evaluate import camera_at, ground_at
-from kagezou.scene.pieces import PieceScene, pieces_at
+from kagezou.scene.pieces import PieceScene
 
 MAX_PAIRS: Final = 10_000_000
 """What each body takes of each face is asked for; so often takes about half a minute."""
@@ -22,6 +21,8 @@ _MOST_FRAMES: Final = 4
 
 def heavy_words(document: Document) -> Message | None:
     """Return that drawing the set pieces of a document takes minutes a frame; None where it does not."""
+    if not document.pieces:
+        return None
     faces, bodies = max(_sizes(document, frame) for frame in spread_frames(document.canvas.length_frames, _MOST_FRAMES))
     if faces * bodies <= MAX_PAIRS:
         return None
@@ -40,6 +41,9 @@ def heavy_notes(before: Document, after: Document) -> tuple[Message, ...]:
 
 def _sizes(document: Document, frame: int) -> tuple[int, int]:
     """Return how many flat faces and how many bodies there are on a frame."""
+    from kagezou.geometry.sets.bodies import Solid  # loaded with the first set
+    from kagezou.scene.set_at_frame import pieces_at
+
     pieces = pieces_at(document, frame, camera_at(document, frame), ground_at(document, frame))
     bodies = [body for piece in pieces for body in piece.bodies]
     return sum(len(body.facets) for body in bodies if isinstance(body, Solid)), len(bodies)

@@ -25,8 +25,8 @@ from kagezou.scene.figure_card import Moment, card_of
 from kagezou.scene.idle_receivers import idle_receivers
 from kagezou.scene.long_shadows import climbing_words, leaving_words
 from kagezou.scene.overhead import dark_words, joined_words
-from kagezou.scene.pieces import pieces_at
 from kagezou.scene.placing import drawing_of, figure_box, shown_parts
+from kagezou.scene.set_at_frame import pieces_at
 
 _THROUGH_OF_FIGURE: Final = 0.02
 """What reaches through a face by a smaller part of the figure's height only touches it."""

@@ -15,15 +15,33 @@ from kagezou.geometry.card import CardPiece
 from kagezou.geometry.ground import Plane, world_from_canvas_on
 from kagezou.geometry.placement import around_placed, canvas_from_centred, centred_from_canvas
 from kagezou.geometry.vectors import Matrix
+from kagezou.io.images.reading import Steps
 from kagezou.message import Message
 from kagezou.render.gpu.boxes import Boxes
-from kagezou.render.gpu.gl import GL, deleted, made
+from kagezou.render.gpu.gl import GL, check, deleted, made
 from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Program
-from kagezou.render.gpu.targets import DepthTarget, Target
+from kagezou.render.gpu.targets import DepthTarget, Format, Target
 from kagezou.render.prepare.light_view import LightView
 from kagezou.render.prepare.moved import moved_by
 from kagezou.scene.scene import ShadowCast
+
+
+def mapped_coverage(
+    boxes: Boxes, canvas: Box, what: tuple[ShadowCast | None, PlacedMatte | None], map_px: int
+) -> Steps:
+    """Return the covered parts of a canvas, (H, W) 16 bit; nothing where there is no cast or no drawing."""
+    cast, matte = what
+    target = Target(canvas.width, canvas.height, Format.ALPHA16)
+    target.clear()
+    if cast is not None and matte is not None:
+        depth_map = DepthMapPass(boxes, map_px)
+        depth_map.draw(cast, matte, target)
+        depth_map.close()
+    coverage = target.read(target.box)
+    target.close()
+    check("drawing a depth map")
+    return coverage
 
 
 class DepthMapPass:

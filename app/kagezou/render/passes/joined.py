@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,11 +19,13 @@ from kagezou.render.gpu.mattes import PlacedMatte
 from kagezou.render.gpu.program import Program, Variants
 from kagezou.render.gpu.targets import Target
 from kagezou.render.prepare.cast_uniforms import TRANSLUCENT, Frame, Grazing, JoinedEdges
-from kagezou.render.prepare.joined_tiles import JoinedTiling, joined_tiling
 from kagezou.render.prepare.piece_tiles import regions_of
 from kagezou.render.prepare.shadow_tiles import Fineness
 from kagezou.render.prepare.uniforms import Uniform
 from kagezou.scene.scene import ShadowCast
+
+if TYPE_CHECKING:
+    from kagezou.render.prepare.joined_tiles import JoinedTiling
 
 MOST_PIECES = 24
 """As many are drawn together as the uniforms of any driver hold."""
@@ -80,13 +83,16 @@ class JoinedPass:
         if not found:
             return None
         casts, boxes = [cast for cast, _ in found], [region for _, region in found]
+        # Few cards are of so many pieces.
+        from kagezou.render.prepare.joined_tiles import joined_tiling
+
         tiling = joined_tiling(casts, boxes, matte, joined.fineness, canvas)
         if tiling.box is not None:
             region = clipped(box_polygon(tiling.box.grown(1)), shifted(casts[0].horizon, -0.01))
             self._paint(joined, tiling, JoinedEdges(tuple(casts), matte, Frame(region)), target)
         return tiling.box
 
-    def _paint(self, joined: Joined, tiling: JoinedTiling, edges: JoinedEdges, target: Target) -> None:
+    def _paint(self, joined: Joined, tiling: "JoinedTiling", edges: JoinedEdges, target: Target) -> None:
         frame, matte, first = edges.frame, joined.matte, edges.casts[0]
         if any(kind.edge.is_squeezed for kind in tiling.edges):
             matte.on_gpu.means(self._boxes, self._threshold, translucent=joined.of.translucent).bind(1)

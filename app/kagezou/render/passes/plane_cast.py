@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import ceil, log2
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,7 +17,6 @@ from kagezou.render.gpu.scratches import GrowingTarget
 from kagezou.render.gpu.targets import Format, Target
 from kagezou.render.passes.cast import CastPass, Window
 from kagezou.render.passes.halving import HalvingPass
-from kagezou.render.passes.sheets import SheetsPass
 from kagezou.render.prepare.area_level import Floats as Texels
 from kagezou.render.prepare.band_atlas import Strip
 from kagezou.render.prepare.cast_parts import cast_parts
@@ -25,6 +26,9 @@ from kagezou.render.prepare.shadow_tiles import CELLS
 from kagezou.render.prepare.strip_uniforms import STRIPS, box_array, crop_uniforms, numbered
 from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 from kagezou.scene.scene import ShadowCast
+
+if TYPE_CHECKING:
+    from kagezou.render.passes.sheets import SheetsPass
 
 _OUTLINED_TEXELS = 64
 
@@ -71,15 +75,22 @@ class PlaneCast:
         self._caster = caster
         self._halving = HalvingPass(boxes)
         self._crop = Variants("passes/strips.vert", "passes/crop.frag")
-        self._sheets = SheetsPass(boxes, caster, self._crop)
         self._wholes: dict[tuple[int, bool], GrowingTarget] = {}
         self._kept: dict[int, _Kept] = {}
+
+    @cached_property
+    def _sheets(self) -> "SheetsPass":
+        """What casts on sheets of a set, loaded with the first one."""
+        from kagezou.render.passes.sheets import SheetsPass
+
+        return SheetsPass(self._boxes, self._caster, self._crop)
 
     def close(self) -> None:
         """Give the memory back."""
         self._halving.close()
         self._crop.close()
-        self._sheets.close()
+        if "_sheets" in vars(self):
+            self._sheets.close()
         for growing in self._wholes.values():
             growing.close()
 

@@ -3,22 +3,24 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kagezou.geometry.bands import REACH_SIGMAS, Band, Blur, Extent, bands_of, felt_by
 from kagezou.geometry.ground import canvas_from_plane
-from kagezou.geometry.sets.bodies import Body, Facet, Solid
 from kagezou.geometry.sets.laid_flat import GROUND, FlatFace, FlatSheet, Join, lines_of, moved
-from kagezou.geometry.sets.regions import Group
-from kagezou.geometry.sets.unfolding import unfolded
 from kagezou.geometry.vectors import Matrix, height_over
 from kagezou.render.prepare.band_atlas import Strip, laid_out
 from kagezou.render.prepare.filter_job import BlurView, Chart, FilterJob, beyond_of, extent_of
 from kagezou.render.prepare.filter_uniforms import MAX_BANDS, inverse
 from kagezou.render.prepare.matte_on_canvas import MatteOnCanvas
 from kagezou.scene.scene import ShadowCast
+
+if TYPE_CHECKING:  # what sets are made of is loaded with the first one
+    from kagezou.geometry.sets.bodies import Body, Facet
+    from kagezou.geometry.sets.regions import Group
 
 _MOST_CHARTS = 6
 
@@ -35,12 +37,16 @@ _MARGIN_PX = 4.0
 class Receivers:
     """The bodies whose faces receive, by their numbers, and what blockers take of the ground, on the canvas."""
 
-    bodies: dict[int, Body]
-    unlit: tuple[Group, ...] = ()
+    bodies: "dict[int, Body]"
+    unlit: "tuple[Group, ...]" = ()
 
 
 def flat_faces(cast: ShadowCast, receivers: Receivers) -> list[FlatFace]:
     """Return the flat faces that are lit by any light; a sheet's side that the eye sees."""
+    if not receivers.bodies:
+        return []
+    from kagezou.geometry.sets.bodies import Solid
+
     found: list[FlatFace] = []
     for index, body in receivers.bodies.items():
         if not isinstance(body, Solid):
@@ -54,7 +60,7 @@ def flat_faces(cast: ShadowCast, receivers: Receivers) -> list[FlatFace]:
 
 
 @lru_cache(maxsize=1024)
-def _flat_face(index: int, facet: Facet, *, is_turned: bool) -> FlatFace:
+def _flat_face(index: int, facet: "Facet", *, is_turned: bool) -> FlatFace:
     """Return a facet as a receiver; kept, as what is known of it is."""
     return FlatFace(index, facet.plane(is_turned=is_turned), np.array(facet.corners))
 
@@ -64,7 +70,11 @@ def charted(job: FilterJob, receivers: Receivers) -> FilterJob:
     flat = laid_out(bands_of(job.blur, job.extent))
     alone = replace(job, charts=(Chart(job.extent, flat),))
     faces = tuple(face for face in flat_faces(job.cast, receivers) if _is_reached(job, face))
-    for most in range(_MOST_CHARTS if faces else 0, 1, -1):
+    if not faces:
+        return alone
+    from kagezou.geometry.sets.unfolding import unfolded
+
+    for most in range(_MOST_CHARTS, 1, -1):
         development = unfolded(job.plane, faces, most, _APART * beyond_of(job, alone.charts[0]))
         if len(development.charts) == 1:
             return alone
@@ -139,7 +149,7 @@ class _Forms:
 _W = np.array([0.0, 0.0, 1.0])
 
 
-def _within(groups: Sequence[Group], places: _Forms) -> NDArray[np.bool_]:
+def _within(groups: "Sequence[Group]", places: _Forms) -> NDArray[np.bool_]:
     """Return which homogeneous canvas places lie within any of some groups."""
     result = np.zeros(places.shape, np.bool_)
     for region in (region for group in groups for region in group.regions):

@@ -1,6 +1,7 @@
 """What the shaders that fill and blur all strips of a job at once want to know of each of them."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,9 @@ from kagezou.render.prepare.cast_parts import steps_to
 from kagezou.render.prepare.filter_job import Chart, FilterJob
 from kagezou.render.prepare.filter_uniforms import MAX_BANDS, Uniforms, width_uniforms
 from kagezou.render.prepare.shadow_levels import ShadowLevels, variance_of
-from kagezou.render.prepare.sheet_slots import SheetSlot
+
+if TYPE_CHECKING:
+    from kagezou.render.prepare.sheet_slots import SheetSlot
 
 STRIPS = frozenset({f"STRIPS {MAX_BANDS}"})
 
@@ -38,7 +41,7 @@ def crop_uniforms(levels: ShadowLevels, strips: Sequence[Strip]) -> Uniforms:
     return {"u_shifts": shifts, "u_pictures": pictures}
 
 
-def slot_uniforms(slots: Sequence[SheetSlot]) -> Uniforms:
+def slot_uniforms(slots: "Sequence[SheetSlot]") -> Uniforms:
     """Return the arrays of ``passes/crop.frag`` for sheets that were cast aside."""
     shifts, pictures = (np.zeros((MAX_BANDS, 4)) for _ in range(2))
     for index, slot in enumerate(slots):
