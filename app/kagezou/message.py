@@ -92,3 +92,10 @@ def first_names(names: Iterable[str], most: int = 3) -> str:
     """Return the first of many names as one enumeration, with dots where there are more."""
     known = list(names)
     return ", ".join(known[:most]) + (", …" if len(known) > most else "")
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """Return what someone may have meant who has typed a word; None where nothing known is near it."""
+    from difflib import get_close_matches  # of no use to those who make no mistake
+
+    return next(iter(get_close_matches(word, list(known), n=1)), None)

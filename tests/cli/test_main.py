@@ -102,8 +102,11 @@ def test_the_command_line_imports_neither_qt_nor_anything_heavy() -> None:
 
 def test_a_render_never_imports_qt_nor_what_it_does_not_use(project: Path) -> None:
     code = "import sys; from kagezou.__main__ import main; code = main(sys.argv[1:])\n"
-    unused = {"PySide6", "shiboken6", "numpy.ma", "kagezou.render.sets", "kagezou.export.exporters.layered_frames"}
-    code += f"assert not {unused} & set(sys.modules); sys.exit(code)"
+    unused = {"PySide6", "shiboken6", "numpy.ma", "socket", "difflib"}
+    unused |= {f"kagezou.geometry.sets.{name}" for name in ("bodies", "shapes", "regions", "unfolding")}
+    unused |= {f"kagezou.render.{name}" for name in ("sets", "mirrors", "passes.picture", "passes.sheets")}
+    unused |= {f"kagezou.export.{name}" for name in ("layered", "guides", "after.manifest", "exporters.layered_frames")}
+    code += f"assert not {unused} & set(sys.modules), {unused} & set(sys.modules); sys.exit(code)"
     done = python("-c", code, "render", project, "-o", project.parent / "out")
     assert (done.returncode, done.stderr) == (0, "")
 

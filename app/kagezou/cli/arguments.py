@@ -9,7 +9,7 @@ from typing import Final, NoReturn
 
 from kagezou.animation.timecode import parse_rate
 from kagezou.errors import UsageProblem
-from kagezou.message import Message
+from kagezou.message import Message, nearest
 
 LARGEST_SIDE_PX: Final = 16384
 
@@ -59,10 +59,8 @@ def _typed(action: argparse.Action) -> str:
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """Return ``"; did you mean X?"``, or nothing where nothing is near."""
-    from difflib import get_close_matches  # not for those who make no mistake
-
-    near = get_close_matches(word, list(known), n=1)
-    return f"; did you mean {near[0]}?" if near else ""
+    near = nearest(word, known)
+    return "" if near is None else f"; did you mean {near}?"
 
 
 def project_path(text: str) -> Path:

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from difflib import get_close_matches
 
 from kagezou.animation.track import Track, Value
 from kagezou.document.model import Document, Tracks, drawing_offset
 from kagezou.document.properties import OF_DOCUMENT, OF_LAYER, OF_PIECE
 from kagezou.document.property import AnyProperty, Usual
 from kagezou.errors import UsageProblem
-from kagezou.message import Message
+from kagezou.message import Message, nearest
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,10 +38,10 @@ def resolve(document: Document, path: str) -> Address:
         prefix = f"set.{piece.name}."
         if path.startswith(prefix) and path.removeprefix(prefix) in OF_PIECE:
             return Address(OF_PIECE[path.removeprefix(prefix)], piece_id=piece.id)
-    near = get_close_matches(path, [path_of(document, address) for address in addresses(document)], n=1)
-    if near:
+    near = nearest(path, (path_of(document, address) for address in addresses(document)))
+    if near is not None:
         raise UsageProblem(
-            Message("there is no property {path!r} in this project; did you mean {near}?", path=path, near=near[0])
+            Message("there is no property {path!r} in this project; did you mean {near}?", path=path, near=near)
         )
     raise UsageProblem(Message("there is no property {path!r} in this project", path=path))
 

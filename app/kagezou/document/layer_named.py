@@ -1,12 +1,11 @@
 """Finding a layer by the name that somebody typed."""
 
 from collections.abc import Sequence
-from difflib import get_close_matches
 
 from kagezou.document.alike_names import folded
 from kagezou.document.model import Document, Layer
 from kagezou.errors import UsageProblem
-from kagezou.message import Message
+from kagezou.message import Message, nearest
 
 
 def layer_named(document: Document, name: str) -> Layer:
@@ -27,9 +26,9 @@ def layer_named(document: Document, name: str) -> Layer:
 
 def no_layer(name: str, known: Sequence[str]) -> Message:
     """Return what is said where no layer has a name, with what there is."""
-    near = get_close_matches(name, known, n=1)
-    if near:
-        return Message("there is no layer {name!r} in this project; did you mean {near!r}?", name=name, near=near[0])
+    near = nearest(name, known)
+    if near is not None:
+        return Message("there is no layer {name!r} in this project; did you mean {near!r}?", name=name, near=near)
     if known:
         others = ", ".join(map(repr, known))
         return Message("there is no layer {name!r} in this project, only {others}", name=name, others=others)

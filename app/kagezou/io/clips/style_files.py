@@ -6,7 +6,6 @@ A file may name as few lines as it likes; a line of the look that it does not na
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -21,7 +20,7 @@ from kagezou.io.files.faults import shown
 from kagezou.io.files.json_text import Reader, parse
 from kagezou.io.files.small_files import folder_problems, small_text
 from kagezou.locations import STYLE_FOLDERS, resource_folder, studio_folders
-from kagezou.message import Message
+from kagezou.message import Message, nearest
 
 SUFFIX = ".json"
 VERSION = 1
@@ -86,8 +85,8 @@ def named_style(name: str, there: Iterable[StyleFile]) -> Style:
     for each in styles:
         if wanted in (each.name.en.casefold(), each.name.in_language("ja").casefold()):
             return each
-    near = get_close_matches(name, [each.name.en for each in styles], n=1)
-    hint: Message | str = f"; did you mean {near[0]}?" if near else Message("; kagezou style lists them")
+    near = nearest(name, (each.name.en for each in styles))
+    hint: Message | str = f"; did you mean {near}?" if near is not None else Message("; kagezou style lists them")
     raise UsageProblem(Message("there is no style {style!r}{hint}", style=name, hint=hint))
 
 
