@@ -111,6 +111,17 @@ def test_a_render_never_imports_qt_nor_what_it_does_not_use(project: Path) -> No
     assert (done.returncode, done.stderr) == (0, "")
 
 
+def test_a_window_comes_without_what_is_only_for_exports() -> None:
+    later = (
+        "kagezou.ui.export.dialog",
+        "kagezou.export.after_effects",
+        "kagezou.export.exchange",
+        "importlib.metadata",
+    )
+    code = f"import sys, kagezou.ui.application; print([each for each in {later} if each in sys.modules])"
+    assert python("-c", code).stdout == "[]\n"
+
+
 def test_nothing_is_said_when_all_is_well(project: Path) -> None:
     done = kagezou("render", project, "-o", project.parent / "out", "--composite")
     out = project.parent / "out"

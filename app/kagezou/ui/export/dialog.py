@@ -26,6 +26,7 @@ from kagezou.export.exporters.table import depths_of, exporter_of, sound
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
 from kagezou.ui.export.targets import TargetList
+from kagezou.ui.help.pages import PAGE
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.missing_parts import MissingParts
 
@@ -60,6 +61,7 @@ class ExportDialog(QDialog):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
+        self.setProperty(PAGE, "export")
         self.setWindowTitle(self.tr("Export"))
         self._document, self._place = document, place
         self.targets = TargetList()

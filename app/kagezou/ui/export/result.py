@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from kagezou.export.exporters.exporter import ExportOutcome
+from kagezou.ui.help.pages import PAGE
 from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.desktop import show_in_folder
 from kagezou.ui.system.words import translated
@@ -32,6 +33,7 @@ class ExportResult(QDialog):
     def __init__(self, outcome: ExportOutcome, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export"))
+        self.setProperty(PAGE, "export")
         self.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         self._where = outcome.where
         self.title = _label(self._title(outcome), "set_name")

@@ -5,7 +5,6 @@ Nothing is sent. The text is copied on a person's word, and names of their home 
 
 import platform
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 from typing import Final
 
@@ -78,6 +77,8 @@ def _megabytes(count: int | None) -> str:
 
 
 def _version(package: str) -> str:
+    from importlib import metadata  # slow, and for the few who ask
+
     try:
         return metadata.version(package)
     except metadata.PackageNotFoundError:

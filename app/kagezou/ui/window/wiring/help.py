@@ -14,11 +14,9 @@ from kagezou.ui.commands.shortcut_editor import ShortcutEditor
 from kagezou.ui.commands.shortcut_sheet import ShortcutSheet
 from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.curves.review_bar import ReviewBar
-from kagezou.ui.export.dialog import ExportDialog
-from kagezou.ui.export.result import ExportResult
 from kagezou.ui.help.first_cut_bar import FirstCutBar
 from kagezou.ui.help.manual import Manual
-from kagezou.ui.help.pages import FIRST
+from kagezou.ui.help.pages import FIRST, PAGE
 from kagezou.ui.panels.groups import Group, group_of
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
@@ -57,8 +55,6 @@ _WIDGETS: Final[Mapping[type[QWidget], str]] = MappingProxyType(
         Timeline: "timeline",
         CurvesPanel: "curves",
         ReviewBar: "curves",
-        ExportDialog: "export",
-        ExportResult: "export",
         CutSettingsDialog: "saving",
         PreferencesDialog: "saving",
         MissingParts: "trouble",
@@ -147,7 +143,7 @@ class Help(QObject):
                 return place_of_property(prop)
             if isinstance(widget, Section):
                 return _GROUPS[widget.group], ""
-            page = next((page for kind, page in _WIDGETS.items() if isinstance(widget, kind)), None)
+            page = widget.property(PAGE) or next((p for kind, p in _WIDGETS.items() if isinstance(widget, kind)), None)
             if page is not None:
                 return page, ""
             widget = widget.parentWidget()

@@ -1,20 +1,14 @@
 """Who tells whom: the connections between the parts of the main window, by subject."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QApplication
 
-from kagezou.export.after.work import HandedOnWork
-from kagezou.export.choices import ExportChoices, Place
-from kagezou.export.exporters.exporter import ExportOutcome
-from kagezou.export.exporters.table import exporter_of
-from kagezou.export.remembered import dumps_choices, loads_choices
 from kagezou.extras import EXTRAS
 from kagezou.importing.understood import drawings_line
 from kagezou.render.prepare.backdrop import Backdrop
-from kagezou.ui.export.dialog import ExportDialog
-from kagezou.ui.export.places import place_for, remember_place
-from kagezou.ui.export.result import ExportResult
 from kagezou.ui.panels.style_use import put_on
 from kagezou.ui.project.cut_names import output_name
 from kagezou.ui.system.preferences import preferences_in
@@ -27,6 +21,10 @@ from kagezou.ui.window.panel_layout import PanelLayout
 from kagezou.ui.window.parts import Parts
 from kagezou.ui.window.verbs import WindowVerbs
 from kagezou.ui.window.wiring.sets import remove_touched
+
+if TYPE_CHECKING:
+    from kagezou.export.choices import ExportChoices, Place
+    from kagezou.export.exporters.exporter import ExportOutcome
 
 _QUEUED = Qt.ConnectionType.QueuedConnection
 
@@ -183,13 +181,20 @@ def _export(parts: Parts) -> None:
     if parts.exporting.is_running:
         parts.exporting.say_running()
         return
+    # All kinds of export are loaded by the first who asks for one, not by everyone who opens the window.
+    from kagezou.export.after.work import HandedOnWork
+    from kagezou.export.exporters.table import exporter_of
+    from kagezou.export.remembered import dumps_choices, loads_choices
+    from kagezou.ui.export.dialog import ExportDialog
+    from kagezou.ui.export.places import place_for, remember_place
+
     settings, document = parts.settings, parts.bridge.document
     place = place_for(settings, parts.open_project.path, output_name(document, parts.project.project_name))
     remembered = loads_choices(settings.word("export_plan", ""))
     dialog = ExportDialog(document, remembered, place, settings.preset_folder, parts.viewport.window())
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
 
-    def start(choices: ExportChoices, chosen: Place) -> None:
+    def start(choices: "ExportChoices", chosen: "Place") -> None:
         settings.set_word("export_plan", dumps_choices(choices))
         remember_place(settings, chosen)
         work = exporter_of(choices).work(document, choices, chosen)
@@ -204,8 +209,10 @@ def _show_missing_parts(parts: Parts) -> None:
     MissingParts([each for each in EXTRAS if not each.is_there], parts.viewport.window()).open()
 
 
-def _show_result(parts: Parts, outcome: ExportOutcome) -> None:
+def _show_result(parts: Parts, outcome: "ExportOutcome") -> None:
     """Show what came of an export, in the place of what came of the one before."""
+    from kagezou.ui.export.result import ExportResult
+
     window = parts.viewport.window()
     for before in window.findChildren(ExportResult):
         before.close()
