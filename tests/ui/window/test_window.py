@@ -220,6 +220,7 @@ def start_export(window: MainWindow, folder: Path) -> None:
     window.parts.actions["export"].trigger()
     dialog = window.findChild(ExportDialog)
     assert dialog is not None
+    assert window.help.place_of(dialog.folder) == ("export", "")
     dialog.folder.setText(str(folder))
     dialog.go.click()
 
@@ -233,6 +234,7 @@ def test_the_export_runs_beside_the_window(qtbot: QtBot, walking: MainWindow, tm
     result = walking.findChild(ExportResult)
     assert result is not None
     assert result.title.text() == "The export is complete."
+    assert walking.help.place_of(result.title) == ("export", "")
 
 
 def test_an_export_that_cannot_be_made_is_said(qtbot: QtBot, walking: MainWindow, cels: Path, tmp_path: Path) -> None:
