@@ -26,7 +26,7 @@ from kagezou.export.exporters.table import depths_of, exporter_of, sound
 from kagezou.ui.export.options import GAP_PX, ExportOptions
 from kagezou.ui.export.preset_row import PresetRow
 from kagezou.ui.export.targets import TargetList
-from kagezou.ui.help.pages import PAGE
+from kagezou.ui.system.manual_page import PAGE
 from kagezou.ui.system.words import translated
 from kagezou.ui.widgets.missing_parts import MissingParts
 

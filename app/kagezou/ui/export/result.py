@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 )
 
 from kagezou.export.exporters.exporter import ExportOutcome
-from kagezou.ui.help.pages import PAGE
 from kagezou.ui.system.clipboard import SystemClipboard
 from kagezou.ui.system.desktop import show_in_folder
+from kagezou.ui.system.manual_page import PAGE
 from kagezou.ui.system.words import translated
 
 

@@ -17,8 +17,6 @@ from kagezou.ui.system.words import choice_name, translated
 
 FIRST: Final = "index"
 """The page with the contents."""
-PAGE: Final = "manual_page"
-"""The Qt property of a widget that names the page about it."""
 
 _LINK = re.compile(r"\]\(([a-z-]+)\.md\)")
 _WITHIN_JAPANESE = re.compile(r"(?<=[\u3001-\u9fff\uff01-\uffef])\n *(?=[\u3001-\u9fff\uff01-\uffef])")

@@ -16,7 +16,7 @@ from kagezou.ui.curves.panel import CurvesPanel
 from kagezou.ui.curves.review_bar import ReviewBar
 from kagezou.ui.help.first_cut_bar import FirstCutBar
 from kagezou.ui.help.manual import Manual
-from kagezou.ui.help.pages import FIRST, PAGE
+from kagezou.ui.help.pages import FIRST
 from kagezou.ui.panels.groups import Group, group_of
 from kagezou.ui.panels.inspector import Inspector
 from kagezou.ui.panels.layer_list import LayerList
@@ -28,6 +28,7 @@ from kagezou.ui.project.retake_result import RetakeResult
 from kagezou.ui.project.welcome import Welcome
 from kagezou.ui.sets.import_bar import SetBar
 from kagezou.ui.sets.list import SetList
+from kagezou.ui.system.manual_page import PAGE
 from kagezou.ui.system.words import translated
 from kagezou.ui.time.transport import Transport
 from kagezou.ui.timeline.timeline import Timeline
