@@ -45,7 +45,7 @@ def _has_compositor() -> bool:
     place = Path(os.environ.get("XDG_RUNTIME_DIR", ""), named)
     if not place.is_absolute():
         return False
-    import socket  # which takes as long as a verb that needs nothing of all this
+    import socket  # few have a compositor, and no verb has another use for it
 
     with socket.socket(socket.AF_UNIX) as door:
         door.settimeout(_ANSWER_S)

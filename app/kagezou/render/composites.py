@@ -1,6 +1,5 @@
 """Finished pictures: what is laid over what, from the backdrop up."""
 
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kagezou.errors import GraphicsProblem
@@ -41,20 +40,26 @@ class Composites:
     def __init__(self, boxes: Boxes, cels: CelSource, shadows: CoverageCache, divisor: int) -> None:
         self._boxes, self._cels, self._shadows, self._divisor = boxes, cels, shadows, divisor
         self._picture: PicturePass | None = None
+        self._made_united: UnitedShadows | None = None
+        self._made_mirrors: Mirrors | None = None
 
-    @cached_property
+    @property
     def united(self) -> "UnitedShadows":
         """What makes shadows of one look one."""
-        from kagezou.render.united_shadows import UnitedShadows
+        if self._made_united is None:
+            from kagezou.render.united_shadows import UnitedShadows
 
-        return UnitedShadows(self._boxes, self._shadows)
+            self._made_united = UnitedShadows(self._boxes, self._shadows)
+        return self._made_united
 
-    @cached_property
+    @property
     def mirrors(self) -> "Mirrors":
         """What mirrors figures in the ground."""
-        from kagezou.render.mirrors import Mirrors
+        if self._made_mirrors is None:
+            from kagezou.render.mirrors import Mirrors
 
-        return Mirrors(self._boxes, self._cels, self._shadows)
+            self._made_mirrors = Mirrors(self._boxes, self._cels, self._shadows)
+        return self._made_mirrors
 
     @property
     def drawn(self) -> "PicturePass":
@@ -104,11 +109,9 @@ class Composites:
 
     def close(self) -> None:
         """Give the memory back."""
-        if self._picture is not None:
-            self._picture.close()
-        for each in ("mirrors", "united"):
-            if each in vars(self):
-                getattr(self, each).close()
+        for made in (self._picture, self._made_mirrors, self._made_united):
+            if made is not None:
+                made.close()
 
     def _lay_set_shadow(self, picture: "PicturePass", scene: Scene) -> None:
         coverage = self._shadows.set_coverage(scene)
@@ -136,12 +139,12 @@ class Composites:
                 picture.lay_reflection(mirrored.target.texture, mirrored.box)
 
     def _picture_for(self, canvas: Box, form: Format) -> "PicturePass":
-        from kagezou.render.passes.picture import PicturePass
-
         old = self._picture
         if old is not None and (old.target.box != canvas or old.target.texture.form is not form):
             old.close()
             self._picture = None
         if self._picture is None:
+            from kagezou.render.passes.picture import PicturePass
+
             self._picture = PicturePass(self._boxes, canvas, form, self._cels, _SQUARE_PX // self._divisor)
         return self._picture

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from math import ceil, log2
 from typing import TYPE_CHECKING
 
@@ -27,7 +26,7 @@ from kagezou.render.prepare.strip_uniforms import STRIPS, box_array, crop_unifor
 from kagezou.render.prepare.uniforms import LAST_LEVEL, Uniform
 from kagezou.scene.scene import ShadowCast
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # what casts on the sheets of sets is loaded with the first one
     from kagezou.render.passes.sheets import SheetsPass
 
 _OUTLINED_TEXELS = 64
@@ -77,20 +76,22 @@ class PlaneCast:
         self._crop = Variants("passes/strips.vert", "passes/crop.frag")
         self._wholes: dict[tuple[int, bool], GrowingTarget] = {}
         self._kept: dict[int, _Kept] = {}
+        self._made_sheets: SheetsPass | None = None
 
-    @cached_property
+    @property
     def _sheets(self) -> "SheetsPass":
-        """What casts on sheets of a set, loaded with the first one."""
-        from kagezou.render.passes.sheets import SheetsPass
+        if self._made_sheets is None:
+            from kagezou.render.passes.sheets import SheetsPass
 
-        return SheetsPass(self._boxes, self._caster, self._crop)
+            self._made_sheets = SheetsPass(self._boxes, self._caster, self._crop)
+        return self._made_sheets
 
     def close(self) -> None:
         """Give the memory back."""
         self._halving.close()
         self._crop.close()
-        if "_sheets" in vars(self):
-            self._sheets.close()
+        if self._made_sheets is not None:
+            self._made_sheets.close()
         for growing in self._wholes.values():
             growing.close()
 
