@@ -1542,6 +1542,11 @@
         <translation>マット：影のない部分</translation>
     </message>
     <message>
+        <source>%1 (%2)</source>
+        <comment>an option, and why it is not there</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
         <source>Mattes: the ground and every set piece</source>
         <translation>マット：地面とセットのそれぞれ</translation>
     </message>

@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from kagezou.document.model import Document
@@ -234,5 +234,6 @@ def _allow(widget: QWidget, reason: str) -> None:
 
 def _refuse(box: QCheckBox, reason: str) -> None:
     """Keep a box from being ticked, and say why beside its words."""
-    box.setText(f"{box.text()} ({reason})")
+    words = QCoreApplication.translate("ExportOptions", "%1 (%2)", "an option, and why it is not there")
+    box.setText(words.replace("%1", box.text()).replace("%2", reason))
     _allow(box, reason[:1].upper() + reason[1:])
