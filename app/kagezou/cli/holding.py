@@ -19,7 +19,7 @@ def holding_project(run: Run) -> Run:
     @wraps(run)
     def held(options: Namespace, entry_points: EntryPoints) -> int:
         # What takes long to import is imported before anyone has to wait for it.
-        import kagezou.io.project.file  # noqa: F401
+        import kagezou.io.project.file  # noqa: F401 - for the time it takes
 
         if _only_looks(options):
             return run(options, entry_points)

@@ -115,7 +115,7 @@ def _is_yes(name: str, word: object) -> bool:
 
 
 def _marked(document: Document, layer: Layer, **marks: object) -> Document:
-    return set_marks(document, (layer.id,), lambda now: replace(now, **marks))  # type: ignore[arg-type]
+    return set_marks(document, (layer.id,), lambda now: replace(now, **marks))  # type: ignore[arg-type] # by name
 
 
 SAYINGS: Final = (

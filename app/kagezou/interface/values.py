@@ -81,7 +81,7 @@ def whole(frame: object) -> int:
         It is none.
     """
     try:
-        return index(frame)  # type: ignore[arg-type]
+        return index(frame)  # type: ignore[arg-type] # which is to be found out
     except TypeError as error:
         raise UsageProblem(Message("{frame!r} is no frame: frames are whole numbers from 1", frame=frame)) from error
 

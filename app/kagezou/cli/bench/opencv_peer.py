@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-import cv2  # type: ignore[import-not-found,unused-ignore]
+import cv2  # type: ignore[import-not-found,unused-ignore] # not one of our packages
 import numpy as np
 
 SIGMA_PX, OPACITY, GAIN, COLOR_BGR = 12.0, 0.6, 2.5066 * 12.0, (40, 16, 20)

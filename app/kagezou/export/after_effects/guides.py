@@ -81,7 +81,7 @@ def _points(document: Document, layer: Layer) -> tuple[Null, ...]:
         if len(counts) == 1:
             x, y = (channel_of(track, 2 * index + part, rate) for part in (0, 1))
         else:
-            x, y = _baked(document, lambda frame, index=index: _point(track, index, frame))  # type: ignore[misc]
+            x, y = _baked(document, lambda frame, index=index: _point(track, index, frame))  # type: ignore[misc] # bound now
         made.append(Null(f"point:{layer.id}:{index + 1}", f"{layer.name} grounding {index + 1}", x, y, _STILL))
     return tuple(made)
 

@@ -56,5 +56,5 @@ def _free_on_windows() -> int | None:
 
     status = Status()
     status.length = ctypes.sizeof(Status)
-    asked: object = getattr(ctypes, "windll").kernel32.GlobalMemoryStatusEx(ctypes.byref(status))  # noqa: B009
+    asked: object = getattr(ctypes, "windll").kernel32.GlobalMemoryStatusEx(ctypes.byref(status))  # noqa: B009 - known on Windows alone
     return int(status.bytes_1) if asked else None

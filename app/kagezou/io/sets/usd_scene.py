@@ -86,7 +86,7 @@ class _Walk:
         if self.total > self.most:
             raise too_many(self.opened.path, self.total, self.most)
 
-    def _place(self, prim: Any, above: Matrix, moves: bool) -> tuple[Matrix, bool]:  # noqa: FBT001
+    def _place(self, prim: Any, above: Matrix, moves: bool) -> tuple[Matrix, bool]:  # noqa: FBT001 - a value
         """Return where a prim stands, and whether it moves, on something that is there and may move."""
         xformable = pxr("UsdGeom").Xformable(prim)
         if not xformable:

@@ -104,7 +104,7 @@ class ExportDialog(QDialog):
 
         A depth that was the only one there was has not been chosen and is not kept.
         """
-        changed = replace(self.choices, **what)  # type: ignore[arg-type]
+        changed = replace(self.choices, **what)  # type: ignore[arg-type] # by name
         if changed.kind != self.choices.kind:
             changed = replace(changed, format=self._formats.get(changed.kind, changed.format))
         if "depth" not in what and changed.format != self.choices.format and len(depths_of(self.choices.format)) == 1:

@@ -23,7 +23,7 @@ def forget_listeners(senders: Iterable[QObject]) -> None:
             known[kind] = _signals_of(sender)
         for name in known[kind]:
             # None is any receiver, which PySide's types do not know.
-            QObject.disconnect(sender, name, None, None)  # type: ignore[call-overload]
+            QObject.disconnect(sender, name, None, None)  # type: ignore[call-overload] # see above
 
 
 def _signals_of(sender: QObject) -> tuple[str, ...]:
